@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "certify/oracle/body_depth.hpp"
+#include "certify/oracle/feature_depth.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -78,6 +80,69 @@ void check_depth_of_boxes(Draw& d) {
   CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
 }
 
+/// A vertex and a triangle, or two edges, of numbers of few bits. They touch at t = 1/2.
+Query draw_touching_at_half(Draw& d) {
+  const auto whole = [&] {
+    Vec3<double> v;
+    for (double& x : v) x = static_cast<double>(d.integer(-4, 4));
+    return v;
+  };
+  const bool is_of_edges = d.coin();
+  Query query;
+  query.t_max = 1;
+  query.patches[0].shape = is_of_edges ? Shape::curve(1) : Shape::point();
+  query.patches[1].shape = is_of_edges ? Shape::curve(1) : Shape::triangle(1);
+  std::array<Vec3<double>, 2> touching;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    const auto count = static_cast<std::size_t>(patch.shape.control_count());
+    const Vec3<double> velocity = whole();
+    std::int64_t left = 16;  // of the weights' sum
+    touching[s] = velocity / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+      patch.positions.push_back(whole());
+      patch.velocities.push_back(velocity);
+      const std::int64_t weight = i + 1 == count ? left : d.integer(0, left);
+      left -= weight;
+      touching[s] += static_cast<double>(weight) / 16 * patch.positions[i];
+    }
+  }
+  for (Vec3<double>& p : query.patches[0].positions) p += touching[1] - touching[0];
+  return query;
+}
+
+Case scaled_and_decided(Query query, double scale) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& p : patch.positions) p *= scale;
+    for (Vec3<double>& v : patch.velocities) v *= scale;
+  }
+  Case known;
+  known.query = std::move(query);
+  known.truth = decide(known.query).truth;
+  return known;
+}
+
+/// Whoever moves a vertex or an edge by less than its depth, in any direction, leaves a contact in
+/// that time. At another scale the depth is that many times as much.
+void check_depth_of_features(Draw& d) {
+  Query query = draw_touching_at_half(d);
+  query.t_max = static_cast<double>(d.integer(5, 8)) / 8;
+  show(d, "query", query);
+  const double depth = feature_depth(scaled_and_decided(query, 1), query.t_max);
+  show(d, "depth", depth);
+  suppose(depth >= 0x1p-30);  // coordinates are of few bits: to round them moves them by far less
+  const double scale = std::ldexp(1.0, static_cast<int>(d.integer(-900, 900)));
+  const double scaled = feature_depth(scaled_and_decided(query, scale), query.t_max) / scale;
+  show(d, "scale", scale);
+  show(d, "scaled", scaled);
+  CLAIM(std::abs(scaled - depth) <= 0x1p-50 * depth);
+  Vec3<double> move;  // of at most √3·73 < 127
+  for (double& x : move) x = static_cast<double>(d.integer(-73, 73));
+  for (Vec3<double>& p : query.patches[0].positions) p += move / 128 * depth;
+  show(d, "moved", query.patches[0].positions);
+  CLAIM(decide(query).truth.collides == true);
+}
+
 }  // namespace
 
 std::vector<Property> depths_claims() {
@@ -85,6 +150,9 @@ std::vector<Property> depths_claims() {
       {"bodies.depth_of_boxes",
        "Two boxes, one of which moves along an axis, are as deep as their corners say",
        "src/certify/oracle/body_depth.hpp", check_depth_of_boxes},
+      {"features.depth",
+       "A vertex or an edge that is moved by less than its depth still touches; depths scale",
+       "src/certify/oracle/feature_depth.hpp", check_depth_of_features},
   };
 }
 

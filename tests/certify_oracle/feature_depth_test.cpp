@@ -55,6 +55,22 @@ TEST(FeatureDepth, AtASeparationIsHowMuchNearerThePointsCome) {
   EXPECT_EQ(feature_depth(known, 0.25), 0);
 }
 
+TEST(FeatureDepth, IsThatManyTimesAsMuchAtEveryScale) {
+  for (const double scale : {0x1p-1000, 0x1p-540, 0x1p540, 0x1p1000}) {
+    Case known = falling_through();
+    for (MovingPatch<double>& patch : known.query.patches) {
+      for (Vec3<double>& p : patch.positions) p *= scale;
+      for (Vec3<double>& v : patch.velocities) v *= scale;
+    }
+    expect_feature_depth(known, 1, 0.25 * scale);
+    known.query.patches[0] = {Shape::point(), {{0.375 * scale, 0, scale}}, {{0, 0, -2 * scale}}};
+    known.query.patches[1] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+    known.query.separation = 0.625 * scale;
+    known.truth = decide(known.query).truth;
+    expect_feature_depth(known, 1, 0.25 * scale);
+  }
+}
+
 TEST(FeatureDepth, IsNoneOfAContactAtTheEdgeOfAFaceNorOfOtherQueries) {
   Case known = falling_through();
   known.query.patches[0].positions[0][0] = 0;

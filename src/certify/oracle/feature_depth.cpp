@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "bezier/blossom.hpp"
@@ -10,6 +9,7 @@
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "certify/oracle/rational_roots.hpp"
 
 namespace ccdfuzz {
 
@@ -107,8 +107,7 @@ double depth_within_separation(const Query& query, const Witness& witness, const
   Rational share = length == 0 ? Rational(0) : Rational(-dot_of(from, way) / length);
   share = std::clamp(share, Rational(0), Rational(1));
   const Vec3<Rational> nearest = from + way * share;
-  const double distance = std::sqrt(round_up(dot_of(nearest, nearest))) * (1 + 0x1p-50);
-  return std::max(0.0, round_down(exact(query.separation) - exact(distance)));
+  return std::max(0.0, round_down(exact(query.separation) - root_above(dot_of(nearest, nearest))));
 }
 
 }  // namespace
@@ -149,8 +148,8 @@ double feature_depth(const Case& known, double until) {
       if (least > best && differences.has_one_root(times[i], times[j])) best = least;
     }
   }
-  // Makes up for a root and a product, each rounded once.
-  return std::sqrt(round_down(best)) * (1 - 0x1p-50);
+  // Over a root that is rounded up: at most the root.
+  return best == 0 ? 0 : round_down(best / root_above(best));
 }
 
 }  // namespace ccdfuzz
