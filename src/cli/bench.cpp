@@ -76,31 +76,28 @@ std::string ratio_text(const Race::Runner& runner, const std::optional<double>& 
                      ratio);
 }
 
-/// The cost of one method on the queries of one class, beside the first.
-struct BenchRow {
-  ContactClass contact;
-  const Race::Runner& runner;
-  const Race::Runner& base;
-  std::uint64_t max_pops;
-
-  static void fields(auto& archive, auto& row) {
-    const Race::Runner& runner = row.runner;
+/// The cost of each method on the queries of one class, beside the first.
+void print_rows(ContactClass contact, const Race& race, std::uint64_t max_pops) {
+  const Race::Runner& base = race.runners().front();
+  for (const Race::Runner& runner : race.runners()) {
     const Tally& tally = runner.tally;
-    archive("class", row.contact);
-    archive("method", runner.spec);
-    archive("base", row.base.spec);
-    archive("n", tally.n);
-    archive("total_seconds", tally.seconds.sum());
-    archive("median_seconds", tally.seconds.median());
-    archive("pops", tally.pops);
-    archive("max_pops", row.max_pops);
-    archive("undecided", tally.count(Outcome::kUndecided));
-    archive("not_asked", tally.not_asked());
-    archive("total_ratio", ratio(runner, row.base, kTotal));
-    archive("median_ratio", ratio(runner, row.base, kMedian));
-    archive("overrun_seconds", runner.overrun);
+    print_row([&](auto& row) {
+      row("class", contact);
+      row("method", runner.spec);
+      row("base", base.spec);
+      row("n", tally.n);
+      row("total_seconds", tally.seconds.sum());
+      row("median_seconds", tally.seconds.median());
+      row("pops", tally.pops);
+      row("max_pops", max_pops);
+      row("undecided", tally.count(Outcome::kUndecided));
+      row("not_asked", tally.not_asked());
+      row("total_ratio", ratio(runner, base, kTotal));
+      row("median_ratio", ratio(runner, base, kMedian));
+      row("overrun_seconds", runner.overrun);
+    });
   }
-};
+}
 
 using ClassRaces = std::vector<std::pair<ContactClass, Race>>;
 
@@ -152,11 +149,7 @@ int run_bench(const BenchOptions& options, Session& session) {
                               done, "queries");
       return !interrupted;
     });
-    if (session.json) {
-      for (const Race::Runner& runner : race.runners()) {
-        print_row(BenchRow{contact, runner, race.runners().front(), options.search.max_pops});
-      }
-    }
+    if (session.json) print_rows(contact, race, options.search.max_pops);
     if (interrupted) break;
   }
   session.progress().clear();

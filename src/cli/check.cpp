@@ -12,8 +12,8 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "finds/entries.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "io/output_file.hpp"
 #include "numeric/effort.hpp"
 #include "properties/suites.hpp"
 
@@ -21,7 +21,7 @@ namespace ccdfuzz {
 
 namespace {
 
-const std::string kFolder = fmt::format("finds/{}", kClaims);
+const std::string kFolder = claims_in("finds");
 
 struct CheckArguments {
   std::vector<Property> known;
@@ -203,8 +203,8 @@ class PropertyCheck {
   /// Unless a better find of the same failure is there.
   void save() {
     if (checked_.known_false()) return;
-    const Result<std::string> saved = save_find(options_.save.value_or(kFolder), *checked_.find);
-    if (saved) checked_.saved = *saved;
+    const Result<SavedFind> saved = save_find(options_.save.value_or(kFolder), *checked_.find);
+    if (saved) checked_.saved = saved->path;
     checked_.not_saved = saved ? "" : saved.error().message();
   }
 
@@ -227,25 +227,10 @@ std::vector<Property> chosen_properties(const CheckArguments& options) {
   return chosen;
 }
 
-/// One input of one property, as a row of the JSON output.
-struct InputRow {
-  const Property& property;
-  const Check& check;
-
-  bool is_known_false() const { return property.expected == Expectation::kFails; }
-
-  static void fields(auto& archive, auto& row) {
-    archive("property", std::string_view(row.property.name));
-    archive("expected_to_fail", row.is_known_false());
-    archive("status", name_of(row.check.status));
-    archive("text", row.check.text);
-  }
-};
-
 /// The find that an input is which somebody else has shrunk, as RapidCheck does.
-ClaimFind find_of(const InputRow& row, const ChoiceNumbers& choices) {
-  ClaimFind find(row.property, "", row.check.text, check_command(row.property.name, choices));
-  find.set_least({.numbers = choices, .check = row.check, .is_cut_short = true});
+ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumbers& choices) {
+  ClaimFind find(property, "", check.text, check_command(property.name, choices));
+  find.set_least({.numbers = choices, .check = check, .is_cut_short = true});
   return find;
 }
 
@@ -257,24 +242,26 @@ int check_choices(const CheckArguments& options, Session& session) {
   if (!numbers) throw BadInput{{"--choices", numbers.error().message()}};
   Draw choices = Draw::from_numbers(*numbers);
   const Check check = run(property, choices);
-  const InputRow row{property, check};
   const bool fails = check.status == Check::Status::kFails;
-  if (session.json) {
-    print_row(row);
-  } else {
-    print_out(fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
-                          fails && row.is_known_false() ? " as expected" : "",
-                          check.text.empty() ? "" : ": ", check.text));
-  }
+  const bool known_false = property.expected == Expectation::kFails;
+  const auto row = [&](auto& archive) {
+    archive("property", std::string_view(property.name));
+    archive("expected_to_fail", known_false);
+    archive("status", check.status);
+    archive("text", check.text);
+  };
+  session.say(row, fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
+                               fails && known_false ? " as expected" : "",
+                               check.text.empty() ? "" : ": ", check.text));
   if (fails && options.save) {
-    const std::string path = need(save_find(*options.save, find_of(row, *numbers)));
-    if (!session.json) print_out(fmt::format("saved: {}\n", path));
+    const SavedFind saved = need(save_find(*options.save, find_of(property, check, *numbers)));
+    if (!session.json) print_out(fmt::format("saved: {}\n", saved.path));
   }
   if (check.status == Check::Status::kDiscarded) {
     print_err("ccdfuzz: check: nothing was checked: the input was discarded\n");
     return kCheckFailed;
   }
-  return fails && !row.is_known_false() ? kCheckFailed : kDone;
+  return fails && !known_false ? kCheckFailed : kDone;
 }
 
 /// The inputs of each of `properties` properties, with what the environment and the clock say.
@@ -296,7 +283,7 @@ int run_check(const CheckArguments& options, Session& session) {
   const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
   if (options.save) {
     if (options.save->empty()) throw BadInput{{"--save", "\"\" is not a folder"}};
-    const Result<void> made = make_find_folder(*options.save);
+    const Result<void> made = make_writable_folder(*options.save);
     if (!made) throw BadInput{{"--save", made.error().message()}};
   }
   Table table = check_table(chosen);

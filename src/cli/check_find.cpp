@@ -8,8 +8,10 @@
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
+#include "finds/entries.hpp"
 #include "generators/draw/choice_bytes.hpp"
 #include "io/folder_lock.hpp"
+#include "io/hash_name.hpp"
 #include "io/input_bytes.hpp"
 #include "io/json_write.hpp"
 #include "io/output_file.hpp"
@@ -21,15 +23,13 @@ namespace {
 /// The inputs of fuzz targets end at 1 MiB, each byte of which may be a choice.
 constexpr std::size_t kMostFindBytes = 16 << 20;
 
-std::string stem_of(const std::string& property, const std::string& error) {
-  std::string name = error.empty() ? property : property + "-" + error;
-  std::ranges::replace(name, ' ', '-');
-  return name;
+std::string path_of(const std::string& folder, const std::string& name) {
+  return fmt::format("{}/{}.json", folder, name);
 }
 
-std::string path_of(const std::string& folder, const std::string& property,
-                    const std::string& error) {
-  return fmt::format("{}/{}.json", folder, stem_of(property, error));
+bool is_there(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, none));
 }
 
 }  // namespace
@@ -42,12 +42,6 @@ std::string check_command(std::string_view property, const ChoiceNumbers& choice
 std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index) {
   return fmt::format("{} check {} --seed {} --first {} --count 1", shell_word(program_name()),
                      property, seed, index);
-}
-
-Result<void> make_find_folder(const std::string& folder) {
-  return make_folder(folder)
-      .and_then([&] { return OutputFile::create(folder + "/a file"); })
-      .map([](const OutputFile&) {});
 }
 
 ClaimFind::ClaimFind(const Property& of, std::string ended_in, std::string first_text,
@@ -66,7 +60,9 @@ void ClaimFind::set_least(const Counterexample& least) {
 }
 
 std::string ClaimFind::stem() const {
-  return stem_of(property, error);
+  std::string name = error.empty() ? property : property + "-" + error;
+  std::ranges::replace(name, ' ', '-');
+  return name;
 }
 
 std::string ClaimFind::reproduce() const {
@@ -78,27 +74,45 @@ bool ClaimFind::replaces(const ClaimFind& other) const {
   return shrunk == Shrunk::kNot || simpler(choices, other.choices);
 }
 
+std::string claims_in(const std::string& corpus) {
+  return fmt::format("{}/{}", corpus, kClaims);
+}
+
 Result<ClaimFind> read_find(const std::string& path) {
   return read_file(path, kMostFindBytes).and_then([&](const std::string& json) {
     return from_json<ClaimFind>(json, path);
   });
 }
 
-Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
-                                            const std::string& error) {
-  const std::string path = path_of(folder, property, error);
-  std::error_code none;
-  if (!std::filesystem::exists(path, none)) return std::nullopt;
-  return read_find(path).map([](ClaimFind find) { return std::optional(std::move(find)); });
+std::string file_text(const ClaimFind& find) {
+  return readable_json(to_json(find)) + "\n";
 }
 
-Result<std::string> save_find(const std::string& folder, const ClaimFind& find) {
-  CCDFUZZ_TRY_VOID(make_find_folder(folder));
+Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const ClaimFind& like) {
+  const std::string path = path_of(folder, like.stem());
+  if (!is_there(path)) return std::nullopt;
+  return read_find(path).map([&](ClaimFind find) {
+    return find.expect == like.expect ? std::optional(std::move(find)) : std::nullopt;
+  });
+}
+
+Result<SavedFind> save_find(const std::string& folder, const ClaimFind& find,
+                            const std::string& name) {
+  CCDFUZZ_TRY_VOID(make_writable_folder(folder));
   CCDFUZZ_TRY(const auto lock, FolderLock::take(folder));
-  std::string path = path_of(folder, find.property, find.error);
-  CCDFUZZ_TRY(const auto standing, saved_find(folder, find.property, find.error));
-  if (standing && !find.replaces(*standing)) return path;
-  return write_file(path, readable_json(to_json(find)) + "\n").map([&] { return std::move(path); });
+  const std::string stem = find.stem();
+  SavedFind saved{path_of(folder, name.empty() ? stem : name)};
+  if (saved.path == path_of(folder, stem)) {
+    CCDFUZZ_TRY(saved.replaced, saved_find(folder, find));
+  }
+  if (saved.replaced) {
+    if (!find.replaces(*saved.replaced)) return SavedFind{saved.path, false};
+  } else if (is_there(saved.path)) {
+    saved.path = path_of(folder, hash_name(to_json(find)));
+    if (is_there(saved.path)) return SavedFind{saved.path, false};
+  }
+  CCDFUZZ_TRY_VOID(write_file(saved.path, file_text(find)));
+  return saved;
 }
 
 }  // namespace ccdfuzz

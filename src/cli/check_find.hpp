@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "base/enum_names.hpp"
 #include "io/fields.hpp"
@@ -68,23 +68,36 @@ struct ClaimFind {
   void set_least(const Counterexample& least);
 
   bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
+  std::pair<std::string, ChoiceNumbers> input() const { return {property, choices}; }
   /// Whether it replaces another find of its claim and error: it is shrunk further, or to less, or
   /// neither has failed again.
   bool replaces(const ClaimFind& other) const;
+
+  bool operator==(const ClaimFind&) const = default;
 };
 
-/// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
-Result<void> make_find_folder(const std::string& folder);
+/// Where the finds of claims are in a corpus or a folder of finds.
+std::string claims_in(const std::string& corpus);
 
 /// The find in a file. Errors: it cannot be read, or is no find.
 Result<ClaimFind> read_find(const std::string& path);
+/// The text of its file.
+std::string file_text(const ClaimFind& find);
 
-/// The find of a property and an error in a folder. Errors: a file that is no find.
-Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
-                                            const std::string& error);
+/// The find of the same property and error in a folder, if it expects the same. Errors: a file that
+/// is no find.
+Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const ClaimFind& like);
 
-/// Puts a find into the file that is named by its property and error, unless it does not replace
-/// the one there. Returns the path. Errors: of the folder or file.
-Result<std::string> save_find(const std::string& folder, const ClaimFind& find);
+struct SavedFind {
+  std::string path;
+  bool is_new = true;  ///< else what was there stays
+  std::optional<ClaimFind> replaced = {};
+};
+
+/// Puts a find into the file of this name, without ".json", or else of its stem(). Under its stem
+/// it takes the place of one that it replaces. An entry of another name, or that expects something
+/// else, stays, and the find is named by its hash. Errors: of the folder or file.
+Result<SavedFind> save_find(const std::string& folder, const ClaimFind& find,
+                            const std::string& name = "");
 
 }  // namespace ccdfuzz

@@ -108,41 +108,6 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
   if (!finds.empty()) print_out("\n");
 }
 
-/// A find, as a row of the JSON output.
-struct HuntFindRow {
-  const Find& find;
-
-  static void fields(auto& archive, auto& row) {
-    const auto& [failure, path, value, is_new, depth] = row.find;
-    const bool is_stored = !path.empty();
-    archive.constant("row", "find");
-    archive("path", is_stored ? std::optional(path) : std::nullopt);
-    archive("new", is_new);
-    Failure::fields(archive, failure);
-    archive("breaks_claim", breaks_claim(failure));
-    archive.optional("depth", depth);
-    archive("kind", value.origin.kind);
-    archive("generator", value.origin.generator);
-    archive("expect", value.expect);
-    if (is_stored) archive("reproduce", command_of(row.find));
-    if (!is_stored) archive("case", value);
-  }
-};
-
-struct SummaryRow {
-  std::uint64_t queries, cases, finds, known;
-  double seconds;
-
-  static void fields(auto& archive, auto& row) {
-    archive.constant("row", "summary");
-    archive("queries", row.queries);
-    archive("cases", row.cases);
-    archive("finds", row.finds);
-    archive("known", row.known);
-    archive("seconds", row.seconds);
-  }
-};
-
 std::uint64_t query_count(const HuntReport& report) {
   std::uint64_t count = 0;
   for (const HuntCell& cell : report.cells) count += cell.tally.n;
@@ -206,9 +171,30 @@ void print_summary(const HuntReport& report, const std::string& folder) {
 
 void print_report_json(const HuntReport& report) {
   for (const HuntCell& cell : report.cells) print_row(cell);
-  for (const Find& find : report.finds) print_row(HuntFindRow{find});
-  print_row(SummaryRow{query_count(report), report.cases, count_of(report, true),
-                       count_of(report, false), report.seconds});
+  for (const Find& find : report.finds) {
+    print_row([&](auto& row) {
+      const bool is_stored = !find.path.empty();
+      row.constant("row", "find");
+      row("path", is_stored ? std::optional(find.path) : std::nullopt);
+      row("new", find.is_new);
+      Failure::fields(row, find.failure);
+      row("breaks_claim", breaks_claim(find.failure));
+      row.optional("depth", find.depth);
+      row("kind", find.value.origin.kind);
+      row("generator", find.value.origin.generator);
+      row("expect", find.value.expect);
+      if (is_stored) row("reproduce", command_of(find));
+      if (!is_stored) row("case", find.value);
+    });
+  }
+  print_row([&](auto& row) {
+    row.constant("row", "summary");
+    row("queries", query_count(report));
+    row("cases", report.cases);
+    row("finds", count_of(report, true));
+    row("known", count_of(report, false));
+    row("seconds", report.seconds);
+  });
 }
 
 /// No draw is on the ground, or there was no time for any: then nothing was checked.

@@ -101,11 +101,11 @@ int run_import(const ImportOptions& options, Session& session) {
       CaseStream(files, options.csv), [](NamedCase& named) { return imported(named); },
       [&](const NamedCase& named, const ImportedRow& query) {
         if (counts.add(query) || session.json) {
-          session.show(query, std::nullopt, [](const ImportedRow& row) -> std::vector<TableCell> {
-            return {{row.id},
-                    {contact_text(row.label)},
-                    {contact_text(row.in_file), Emphasis::kBad},
-                    {contact_text(row.collides)}};
+          session.show(query, std::nullopt, [&]() -> std::vector<TableCell> {
+            return {{query.id},
+                    {contact_text(query.label)},
+                    {contact_text(query.in_file), Emphasis::kBad},
+                    {contact_text(query.collides)}};
           });
         }
         need(writer.write(named.value));

@@ -13,9 +13,6 @@
 #include "eval/tables.hpp"
 #include "finds/entries.hpp"
 #include "finds/intake.hpp"
-#include "generators/draw/choice_bytes.hpp"
-#include "io/hash_name.hpp"
-#include "io/json_write.hpp"
 #include "io/output_file.hpp"
 #include "io/run_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -100,68 +97,38 @@ bool is_claims_folder(const std::string& path) {
   return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims;
 }
 
-std::string claims_of(const std::string& corpus) {
-  return is_claims_folder(corpus) ? corpus : fmt::format("{}/{}", corpus, kClaims);
-}
-
-/// The same for the same input of the same claim, and for no other.
-std::string input_of(const ClaimFind& find) {
-  return hash_name(fmt::format("{} {}", find.property, to_word(find.choices)));
-}
-
-/// The inputs in a folder (input_of).
-std::set<std::string> inputs_in(const std::string& folder) {
-  std::set<std::string> inputs;
-  for (const std::string& path : need(list_entries(folder))) {
-    inputs.insert(input_of(need(read_find(path))));
-  }
-  return inputs;
-}
-
-/// Returns whether the folder changed. inputs: those in it.
-bool take(const ClaimFind& find, const std::string& stem, const std::string& folder,
-          std::set<std::string>& inputs) {
-  if (inputs.contains(input_of(find))) return false;
-  const std::string own = fmt::format("{}/{}.json", folder, stem), json = to_json(find);
-  if (stem == find.stem()) {
-    const auto standing = need(saved_find(folder, find.property, find.error));
-    if (!standing || standing->expect == find.expect) {
-      need(save_find(folder, find));
-      if (standing && !find.replaces(*standing)) return false;
-      if (standing) inputs.erase(input_of(*standing));
-      inputs.insert(input_of(find));
-      return true;
-    }
-  }
-  inputs.insert(input_of(find));
-  const bool is_free = !fs::exists(fs::symlink_status(own));
-  need(write_file(is_free ? own : fmt::format("{}/{}.json", folder, hash_name(json)),
-                  readable_json(json) + "\n"));
-  return true;
-}
-
 /// The counts of a merge of inputs of claims.
 struct MergedClaims {
   std::uint64_t entries = 0, taken = 0, now = 0;
   std::uint64_t without_input = 0;  ///< finds that did not fail again, which have no choices
 };
 
-/// Copies the inputs of claims of corpora into another corpus. They are in folders called kClaims,
-/// any of which may also be named itself; the new one is made if there are any. An entry whose name
-/// is its claim and error (ClaimFind::stem) replaces one that is shrunk less. Its name is its hash
-/// if another entry has the name or expects something else. An input that is there already stays as
-/// it is. known: all the properties that there are. Throws BadInput: of a folder or file; an entry
-/// of an unknown property, naming it.
+/// Copies the inputs of claims of corpora into another corpus (save_find). They are in folders
+/// called kClaims, any of which may also be named itself; the new one is made if there are any. An
+/// input that is there already stays as it is. known: all the properties that there are. Throws
+/// BadInput: of a folder or file; an entry of an unknown property, naming it.
 MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::string& into,
                           const std::vector<Property>& known) {
   MergedClaims merged;
-  const std::string folder = fmt::format("{}/{}", into, kClaims);
-  std::optional<std::set<std::string>> inputs;  // in it
+  const std::string folder = claims_in(into);
+  std::set<std::pair<std::string, ChoiceNumbers>> inputs;  // in it
+  if (fs::is_directory(folder)) {
+    for (const std::string& path : need(list_entries(folder))) {
+      inputs.insert(need(read_find(path)).input());
+    }
+  }
+  const auto take = [&](const ClaimFind& find, const std::string& name) {
+    if (inputs.contains(find.input())) return false;
+    const SavedFind saved = need(save_find(folder, find, name));
+    if (saved.replaced) inputs.erase(saved.replaced->input());
+    if (saved.is_new) inputs.insert(find.input());
+    return saved.is_new;
+  };
   for (const std::string& corpus : corpora) {
-    if (!fs::is_directory(claims_of(corpus))) continue;
-    need(make_find_folder(folder));
-    if (!inputs) inputs = inputs_in(folder);
-    for (const std::string& path : need(list_entries(claims_of(corpus)))) {
+    const std::string from = is_claims_folder(corpus) ? corpus : claims_in(corpus);
+    if (!fs::is_directory(from)) continue;
+    need(make_writable_folder(folder));
+    for (const std::string& path : need(list_entries(from))) {
       const ClaimFind find = need(read_find(path));
       if (const auto property = property_named(find.property, known); !property) {
         throw BadInput{{path + ": property", property.error().what}};
@@ -169,7 +136,7 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
       ++merged.entries;
       const bool has_input = find.shrunk != Shrunk::kNot;
       if (!has_input) ++merged.without_input;
-      if (has_input && take(find, fs::path(path).stem(), folder, *inputs)) ++merged.taken;
+      if (has_input && take(find, fs::path(path).stem())) ++merged.taken;
     }
   }
   if (fs::is_directory(folder)) merged.now = need(list_entries(folder)).size();

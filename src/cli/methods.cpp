@@ -17,21 +17,6 @@ struct MethodsOptions {
   std::vector<std::string> specs;
 };
 
-/// A method, as a row of the JSON output; `takes` is what it takes beyond plain patches.
-struct MethodRow {
-  const MethodInfo& info;
-  std::vector<std::string> takes = words_of(info.features);
-
-  static void fields(auto& archive, auto& row) {
-    archive("method", row.info.spec);
-    archive("source", row.info.source);
-    archive("description", row.info.description);
-    archive("claims_no_false_negative", row.info.claims_no_false_negative);
-    archive("switches", row.info.switches);
-    archive("takes", row.takes);
-  }
-};
-
 /// All that are registered and the two kinds of plug-ins, or those that were named. Throws BadInput
 /// for one that there is not, and for a plug-in that fails to say what it is.
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
@@ -75,7 +60,16 @@ void print_switches(const std::vector<MethodInfo>& infos) {
 int run_methods(const MethodsOptions& options, Session& session) {
   const std::vector<MethodInfo> infos = method_infos_of(options.specs);
   if (session.json) {
-    for (const MethodInfo& info : infos) print_row(MethodRow{info});
+    for (const MethodInfo& info : infos) {
+      print_row([&](auto& row) {
+        row("method", info.spec);
+        row("source", info.source);
+        row("description", info.description);
+        row("claims_no_false_negative", info.claims_no_false_negative);
+        row("switches", info.switches);
+        row("takes", words_of(info.features));
+      });
+    }
     return kDone;
   }
   std::vector<std::string> marked;

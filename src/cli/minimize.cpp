@@ -23,24 +23,6 @@ struct MinimizeOptions {
   SearchFlags search;
 };
 
-/// The result, as a row of the JSON output.
-struct MinimisedRow {
-  std::string id;
-  Failure failure;
-  std::uint64_t trials;
-  std::uint64_t bits_before, bits;
-  const Case& minimised;
-
-  static void fields(auto& archive, auto& row) {
-    archive("case", row.id);
-    Failure::fields(archive, row.failure);
-    archive("trials", row.trials);
-    archive("bits_before", row.bits_before);
-    archive("bits", row.bits);
-    archive("minimised", row.minimised);
-  }
-};
-
 std::string size_text(const Query& query) {
   return fmt::format("{} and {}, {} significant bits", to_text(query.patches[0].shape),
                      to_text(query.patches[1].shape), size_of(query).significant_bits);
@@ -90,10 +72,15 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const Minimised minimised = minimise(found.value, failure, asker,
                                        {options.max_trials, [&] { return interrupted.load(); }});
   write_minimised(options, minimised.value, session.json);
-  const auto bits = [](const Case& value) { return size_of(value.query).significant_bits; };
   if (session.json) {
-    print_row(MinimisedRow{found.id, failure, minimised.trials, bits(found.value),
-                           bits(minimised.value), minimised.value});
+    print_row([&](auto& row) {
+      row("case", found.id);
+      Failure::fields(row, failure);
+      row("trials", minimised.trials);
+      row("bits_before", size_of(found.value.query).significant_bits);
+      row("bits", size_of(minimised.value.query).significant_bits);
+      row("minimised", minimised.value);
+    });
   } else {
     print_err(fmt::format("{}: from {} to {} in {} trials\n", to_text(failure),
                           size_text(found.value.query), size_text(minimised.value.query),

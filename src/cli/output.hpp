@@ -24,8 +24,8 @@ void print_last_rows(Table& table);
 /// Writes text to stderr, control characters shown. Where that fails there is nobody to tell.
 void print_err(const std::string& text);
 
-/// One JSON object on a line of its own.
-template <HasFields Row>
+/// One JSON object on a line of its own: a record, or what a function of an archive names.
+template <class Row>
 void print_row(const Row& row) {
   print_out(to_json(row) + "\n");
 }

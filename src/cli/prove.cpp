@@ -35,27 +35,28 @@ std::string certificates_of(const Truth& truth) {
   return letters;
 }
 
-/// A case that was decided, as a row of the JSON output.
-struct ProvedRow {
-  const std::string& id;
-  const Completed& completed;
-
-  static void fields(auto& archive, auto& row) {
-    const Completed& completed = row.completed;
-    const Truth& truth = completed.value.truth;
-    const auto text_of = [](const std::optional<Rational>& time) {
-      return time ? std::optional(to_text(*time)) : std::nullopt;
-    };
-    archive("case", row.id);
-    archive("verdict", verdict_of(completed));
-    archive("certificates", certificates_of(truth));
-    archive("contact_by", text_of(truth.contact_by()));
-    archive("clear_until", text_of(truth.clear_until));
-    archive("tree_bytes", completed.tree.size());
-    archive("refuted", completed.refuted);
-    archive.optional("note", completed.note);
-  }
-};
+void show(const std::string& id, const Completed& completed, Session& session) {
+  const Truth& truth = completed.value.truth;
+  const auto text_of = [](const std::optional<Rational>& time) {
+    return time ? std::optional(to_text(*time)) : std::nullopt;
+  };
+  session.show(
+      [&](auto& row) {
+        row("case", id);
+        row("verdict", verdict_of(completed));
+        row("certificates", certificates_of(truth));
+        row("contact_by", text_of(truth.contact_by()));
+        row("clear_until", text_of(truth.clear_until));
+        row("tree_bytes", completed.tree.size());
+        row("refuted", completed.refuted);
+        row.optional("note", completed.note);
+      },
+      std::nullopt,
+      [&]() -> std::vector<TableCell> {
+        return {
+            {id}, {completed.refuted ? "refuted" : "undecided", Emphasis::kBad}, {completed.note}};
+      });
+}
 
 /// Throws BadInput: what the case says of a contact is refuted.
 Completed prove(const NamedCase& named, const OracleOptions& oracle) {
@@ -79,12 +80,7 @@ int run_prove(const ProveOptions& options, Session& session) {
         ++counts[verdict_of(completed)];
         if (completed.refuted) ++refuted;
         if (session.json || completed.refuted || !completed.value.truth.collides) {
-          session.show(ProvedRow{named.id, completed}, std::nullopt,
-                       [](const ProvedRow& row) -> std::vector<TableCell> {
-                         return {{row.id},
-                                 {row.completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
-                                 {row.completed.note}};
-                       });
+          show(named.id, completed, session);
         }
         need(destination.write(std::move(completed.value), completed.tree));
       });

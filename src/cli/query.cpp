@@ -160,7 +160,7 @@ int run_query(const QueryOptions& options, Session& session) {
           const AnswerRow row{named.id, asked[m], answers[m]};
           tally.add(answers[m].answer, answers[m].outcome, std::nullopt);
           notes.add(row);
-          session.show(row, std::exchange(title, std::nullopt), query_cells);
+          session.show(row, std::exchange(title, std::nullopt), [&] { return query_cells(row); });
         }
       },
       &spent);

@@ -1,26 +1,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "cli/answer_row.hpp"
+#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
-#include "cli/replay_claims.hpp"
+#include "cli/replay_changes.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluate.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
-#include "io/folder_lock.hpp"
-#include "io/output_file.hpp"
+#include "hunt/served_claim.hpp"
 #include "method/served_method.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -55,38 +54,17 @@ struct ReplayRow {
   }
 };
 
+/// The same of a claim that was put to its input again.
+Change change_of(Check::Status expected, Check::Status got) {
+  if (got == expected) return Change::kNone;
+  if (got == Check::Status::kDiscarded) return Change::kOther;
+  return got == Check::Status::kFails ? Change::kRegression : Change::kImprovement;
+}
+
 /// What asks methods, for one thread. One that is expected to end in an error is asked in another
 /// process, since it may end this one. Neither is told a time.
 struct Askers {
   Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_untimed_method)};
-};
-
-/// An expectation of a plug-in that may not be asked.
-struct NotAskedJson {
-  const std::string& id;
-  const std::string& method;
-  const Expected& expected;
-
-  static void fields(auto& archive, auto& json) {
-    archive("case", json.id);
-    archive("method", json.method);
-    archive("outcome", Outcome::kNotAsked);
-    archive("expected", json.expected);
-  }
-};
-
-/// An entry whose truth counts for nothing, as a row of the JSON output.
-struct NotProvenRow {
-  const std::string& id;
-  const InputError& error;
-
-  std::string truth() const { return error.is_limit ? "unproven" : "refuted"; }
-
-  static void fields(auto& archive, auto& row) {
-    archive("case", row.id);
-    archive("truth", row.truth());
-    archive("note", row.error.message());
-  }
 };
 
 /// The results of one entry.
@@ -144,19 +122,6 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
   return result;
 }
 
-/// "3 as expected, 1 regression".
-std::string changes_text(const std::array<std::uint64_t, kAllChanges.size()>& changes,
-                         std::uint64_t total, std::uint64_t written) {
-  if (total > 0 && changes[0] == total) return "all as expected";
-  std::string text = fmt::format("{} as expected", changes[0]);
-  constexpr std::array<const char*, 4> kOne = {"", "regression", "improvement", "other change"},
-                                       kMany = {"", "regressions", "improvements", "other changes"};
-  for (size_t c = 1; c < changes.size(); ++c) {
-    if (changes[c] > 0) text += ", " + counted(changes[c], kOne[c], kMany[c]);
-  }
-  return text + (written > 0 ? "; " + counted(written, "entry written", "entries written") : "");
-}
-
 class Replay {
  public:
   Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
@@ -166,22 +131,59 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
-    if (!of_methods) {
-      claims_ = replay_claims(options_.corpus, options_.known, options_.update, session_);
-    }
+    if (!of_methods) replay_claims();
     session_.each_case<Replayed>(
-        CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
-                                      : need(corpus_files(options_.corpus))),
+        CaseStream(claims_.total() > 0 ? need(list_entries(options_.corpus))
+                                       : need(corpus_files(options_.corpus))),
         [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
         [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
     summarise();
     const bool holds =
-        options_.update || (counts_[0] == expectations_ && claims_.changes[0] == claims_.claims);
+        options_.update || (expectations_.all_as_expected() && claims_.all_as_expected());
     return session_.exit_code(not_proven_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
   }
 
  private:
+  /// Runs the property of each file of CORPUS/claims on its choices, in a child. Throws BadInput
+  /// for a file that is no claim, or is of a property that is not known.
+  void replay_claims() {
+    const std::string folder = claims_in(options_.corpus);
+    if (!std::filesystem::is_directory(folder)) return;
+    ServedClaims served(&catch_interrupts());
+    for (const std::string& path : need(list_entries(folder))) {
+      if (session_.interrupted()) return;
+      const ClaimFind find = need(read_find(path));
+      const Result<Property> property = property_named(find.property, options_.known);
+      if (!property) throw BadInput{{path + ": property", property.error().what}};
+      const InputRun run = served.on(*property, find.choices);
+      if (run.error == "interrupted") return;
+      const auto& [got, text] = run.check;
+      const Change change = change_of(find.expect, got);
+      claims_.add(change);
+      const bool changed = change != Change::kNone;
+      if (session_.json || changed) {
+        session_.show(
+            [&](auto& row) {
+              row("claim", path);
+              row("property", find.property);
+              row("expected", find.expect);
+              row("got", got);
+              row("change", change);
+              row.optional("text", text);
+            },
+            path,
+            [&] {
+              return change_cells(find.property, name_of(find.expect), name_of(got), change);
+            });
+      }
+      if (!changed || !options_.update) continue;
+      ClaimFind now = find;
+      now.expect = got;
+      claims_.update(path, file_text(now), [&] { return need(read_find(path)) == find; });
+    }
+  }
+
   void add(const NamedCase& entry, const Replayed& done) {
     if (options_.search.max_pops == 0 && budget_.is_spent()) {
       throw BadInput{DefaultBudget::spent_before(entry.id)};
@@ -190,38 +192,42 @@ class Replay {
     case_counts_.add(entry.value);
     if (done.not_proven) {
       ++not_proven_;
-      const NotProvenRow row{entry.id, *done.not_proven};
-      session_.json ? print_row(row)
-                    : print_out(fmt::format("{}: {}\n", row.truth(), row.error.message()));
-      return;
+      const char* truth = done.not_proven->is_limit ? "unproven" : "refuted";
+      const std::string note = done.not_proven->message();
+      const auto row = [&](auto& archive) {
+        archive("case", entry.id);
+        archive("truth", std::string_view(truth));
+        archive("note", note);
+      };
+      return session_.say(row, fmt::format("{}: {}\n", truth, note));
     }
-    for (const auto& [method, expected] : done.not_allowed) {
-      ++not_allowed_[method];
-      if (session_.json) print_row(NotAskedJson{entry.id, method, expected});
+    for (const auto& stated : done.not_allowed) {
+      ++not_allowed_[stated.first];
+      if (!session_.json) continue;
+      print_row([&](auto& row) {
+        row("case", entry.id);
+        row("method", stated.first);
+        row("outcome", Outcome::kNotAsked);
+        row("expected", stated.second);
+      });
     }
     not_taken_ += done.not_taken;
     bool changed = false;
     std::optional<std::string> title = entry.id;
     for (const ReplayRow& row : done.rows) {
-      ++expectations_;
+      expectations_.add(row.change());
       asked_.insert(row.method);
       budget_.add(entry, row.judged.answer);
-      ++counts_[static_cast<size_t>(row.change())];
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
       if (session_.json || (is_other && ++shown_ <= kMostShown)) {
-        session_.show(row, std::exchange(title, std::nullopt), cells);
+        session_.show(row, std::exchange(title, std::nullopt), [&] {
+          return change_cells(marked(row.method), to_text(row.expected),
+                              to_text(row.got, row.judged.late_by), row.change());
+        });
       }
     }
     if (changed && options_.update) update(entry, done.rows);
-  }
-
-  static std::vector<TableCell> cells(const ReplayRow& row) {
-    const bool is_good = row.change() == Change::kImprovement;
-    return {{marked(row.method)},
-            {to_text(row.expected)},
-            {to_text(row.got, row.judged.late_by), is_good ? Emphasis::kPlain : Emphasis::kBad},
-            {std::string(name_of(row.change()))}};
   }
 
   void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {
@@ -240,22 +246,14 @@ class Replay {
           entry.id, row.method));
     }
     if (now == entry.value) return;
-    const std::filesystem::path parent = std::filesystem::path(entry.id).parent_path();
-    const std::string folder = parent.empty() ? "." : parent.string();
-    const FolderLock lock = need(FolderLock::take(folder));
-    if (cleared_.insert(folder).second) remove_leftovers(folder);
-    if (!(need(read_case(entry.id)).value == entry.value)) {
-      print_err(fmt::format("ccdfuzz: {}: changed meanwhile; it is left as it is\n", entry.id));
-      return;
-    }
-    need(write_file(entry.id, to_json(now, JsonLayout::kReadable) + "\n"));
-    ++updated_;
+    expectations_.update(entry.id, to_json(now, JsonLayout::kReadable) + "\n",
+                         [&] { return need(read_case(entry.id)).value == entry.value; });
   }
 
   /// Says so where nothing was judged, or nothing by a method that --methods names: then all was as
   /// expected for no good reason.
   bool was_asked() const {
-    if (expectations_ + claims_.claims == 0 && options_.methods.empty()) {
+    if (expectations_.total() + claims_.total() == 0 && options_.methods.empty()) {
       print_err(fmt::format("ccdfuzz: replay: nothing was judged: {}\n",
                             not_allowed_.empty() ? "no entry expects anything"
                                                  : "every expectation is one of a plug-in"));
@@ -277,19 +275,17 @@ class Replay {
     if (shown_ > kMostShown) {
       session_.summary(fmt::format("and {} more that --json lists\n", shown_ - kMostShown));
     }
-    if (claims_.claims > 0) {
+    if (claims_.total() > 0) {
       session_.summary(fmt::format(
-          "{}: {}", counted(claims_.claims, "input of properties", "inputs of properties"),
-          changes_text(claims_.changes, claims_.claims, claims_.updated)));
+          "{}: {}", counted(claims_.total(), "input of properties", "inputs of properties"),
+          claims_.text()));
     }
     session_.summary(fmt::format(
         "{}, {}: {}{}", counted(entries_, "entry", "entries"),
-        counted(expectations_, "expectation", "expectations"),
-        changes_text(counts_, expectations_, updated_),
+        counted(expectations_.total(), "expectation", "expectations"), expectations_.text(),
         not_taken_ > 0 ? fmt::format("; {} not asked, as the method does not take them", not_taken_)
                        : ""));
-    const auto improvements = counts_[static_cast<size_t>(Change::kImprovement)];
-    if (improvements > 0 && !options_.update) {
+    if (expectations_.count(Change::kImprovement) > 0 && !options_.update) {
       print_err(
           "ccdfuzz: replay: an improvement is a change, too: --update writes it into the entry\n");
     }
@@ -301,14 +297,12 @@ class Replay {
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, expectations_ = 0, not_taken_ = 0, not_proven_ = 0, updated_ = 0;
+  std::uint64_t entries_ = 0, not_taken_ = 0, not_proven_ = 0;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
-  std::array<std::uint64_t, kAllChanges.size()> counts_{};
+  Changes expectations_, claims_;
   DefaultBudget budget_;
-  ReplayedClaims claims_;
   std::set<std::string> asked_;
-  std::set<std::string> cleared_;  ///< folders of what killed writers left
   NotAllowed not_allowed_;
   CaseCount case_counts_;
 };

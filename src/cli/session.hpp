@@ -54,14 +54,20 @@ class Session {
   /// Prints the rest of the table, and a blank line if it had rows and more text follows.
   void end_table(bool text_follows = false);
 
-  /// Prints the row as a line of JSON if --json was given, and what `cells` makes of it as a row of
-  /// the table otherwise. group: the title of the group that the row begins in the table.
+  /// Prints the row as a line of JSON if --json was given (print_row), and cells() as a row of the
+  /// table otherwise. group: the title of the group that the row begins in the table.
   template <class Row, class Cells>
   void show(const Row& row, const std::optional<std::string>& group, const Cells& cells) {
-    if (json) return print_out(to_json(row) + "\n");
+    if (json) return print_row(row);
     print_full_rows(*table_);
     if (group) table_->start_group(*group);
-    table_->add_row(cells(row));
+    table_->add_row(cells());
+  }
+  /// Prints the row as a line of JSON if --json was given, and the text otherwise.
+  template <class Row>
+  void say(const Row& row, const std::string& text) {
+    progress_.clear();
+    json ? print_row(row) : print_out(text);
   }
   /// The summary for people: nothing with --json.
   void summary(const std::string& text) {

@@ -36,33 +36,6 @@ struct AxisRow {
   }
 };
 
-/// How a method's tests treated the witness of a case.
-struct TraceRow {
-  const std::string& id;
-  const std::string& method;
-  const Trace& trace;
-
-  /// loss, margin and slack are null where there is none.
-  static void fields(auto& archive, auto& row) {
-    const Trace& trace = row.trace;
-    std::optional<AxisRow> loss, margin, slack;
-    if (trace.loss) loss.emplace(trace.loss->place, trace.loss->by);
-    if (trace.margin)
-      margin.emplace(trace.margin->place, trace.margin->by).ulps = trace.margin->ulps;
-    if (trace.slack) slack.emplace(trace.slack->place, trace.slack->gap).slack = trace.slack->value;
-    archive("case", row.id);
-    archive("method", row.method);
-    archive("lost", trace.lost);
-    archive("pairs", trace.pairs);
-    archive("lost_pairs", trace.lost_pairs);
-    archive("false_claims", trace.false_claims);
-    archive("levels", trace.levels);
-    archive("loss", loss);
-    archive("margin", margin);
-    archive("slack", slack);
-  }
-};
-
 std::vector<Table::Column> trace_columns() {
   return {method_column(),
           {"witness", Align::kLeft},
@@ -75,8 +48,7 @@ std::vector<Table::Column> trace_columns() {
 }
 
 /// One line for people. Level and axis are those of the loss, or of the smallest margin if kept.
-std::vector<TableCell> trace_cells(const TraceRow& row) {
-  const Trace& trace = row.trace;
+std::vector<TableCell> trace_cells(const std::string& method, const Trace& trace) {
   TableCell level, axis, below, margin, slack;
   const auto show = [&](const TracePlace& place, const ExcludedInterval& by) {
     level = {fmt::format("{}", place.level)};
@@ -93,7 +65,7 @@ std::vector<TableCell> trace_cells(const TraceRow& row) {
   const std::string pairs = trace.lost_pairs == 0
                                 ? fmt::format("{}", trace.pairs)
                                 : fmt::format("{} of {} lost", trace.lost_pairs, trace.pairs);
-  return {{marked(row.method)},
+  return {{marked(method)},
           {trace.lost ? "lost" : "kept", trace.lost ? Emphasis::kBad : Emphasis::kPlain},
           level,
           axis,
@@ -101,6 +73,29 @@ std::vector<TableCell> trace_cells(const TraceRow& row) {
           margin,
           slack,
           {pairs}};
+}
+
+/// Shows how a method's tests treated the witness of a case. group: as in Session::show.
+void show_trace(const std::string& id, const std::string& method, const Trace& trace,
+                const std::optional<std::string>& group, Session& session) {
+  // Null where there is none.
+  std::optional<AxisRow> loss, margin, slack;
+  if (trace.loss) loss.emplace(trace.loss->place, trace.loss->by);
+  if (trace.margin) margin.emplace(trace.margin->place, trace.margin->by).ulps = trace.margin->ulps;
+  if (trace.slack) slack.emplace(trace.slack->place, trace.slack->gap).slack = trace.slack->value;
+  const auto row = [&](auto& archive) {
+    archive("case", id);
+    archive("method", method);
+    archive("lost", trace.lost);
+    archive("pairs", trace.pairs);
+    archive("lost_pairs", trace.lost_pairs);
+    archive("false_claims", trace.false_claims);
+    archive("levels", trace.levels);
+    archive("loss", loss);
+    archive("margin", margin);
+    archive("slack", slack);
+  };
+  session.show(row, group, [&] { return trace_cells(method, trace); });
 }
 
 struct TraceArguments {
@@ -156,8 +151,8 @@ int run_trace(const TraceArguments& options, Session& session) {
           ++(trace ? traces : refused);
           if (!trace) continue;
           lost += trace->lost ? 1 : 0;
-          session.show(TraceRow{named.id, options.methods[m], *trace},
-                       std::exchange(title, std::nullopt), trace_cells);
+          show_trace(named.id, options.methods[m], *trace, std::exchange(title, std::nullopt),
+                     session);
         }
       });
   session.end_table(true);

@@ -91,48 +91,6 @@ Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
   return cases;
 }
 
-/// A find, as a row of the JSON output.
-struct TriagedRow {
-  const std::string& input;
-  const Failure& failure;
-  const std::string& path;
-
-  static void fields(auto& archive, auto& row) {
-    archive.constant("row", "find");
-    archive("input", row.input);
-    Failure::fields(archive, row.failure);
-    archive("path", row.path);
-  }
-};
-
-/// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
-std::string folder_of_claims(const std::string& folder) {
-  return fmt::format("{}/{}", folder, kClaims);
-}
-
-/// A find, as a row of the JSON output.
-struct ClaimFindRow {
-  const std::string& input;
-  const ClaimFind& find;
-  const std::string& path;
-
-  std::string outcome() const { return find.error.empty() ? "refuted claim" : find.error; }
-
-  static void fields(auto& archive, auto& row) {
-    const ClaimFind& find = row.find;
-    const bool fails_again = find.shrunk != Shrunk::kNot;
-    archive.constant("row", "find");
-    archive("input", row.input);
-    archive("property", find.property);
-    archive("outcome", row.outcome());
-    archive("text", fails_again ? find.text : find.found);
-    archive("reproduce", find.reproduce());
-    archive("fails_again", fails_again);
-    archive("cut_short", find.shrunk == Shrunk::kCutShort);
-    archive("saved", row.path);
-  }
-};
-
 /// The results for the files that fuzzers left, and for the inputs in them.
 struct TriageCounts {
   std::uint64_t files = 0, files_done = 0, files_unread = 0;
@@ -179,20 +137,15 @@ class TriageRun {
     if (session_.json) print_row(counts_);
     const bool asked_plugins =
         std::ranges::any_of(need(parse_method_list(arguments_.methods)), names_plugin);
-    session_.summary(to_text(
-        counts_, arguments_.target ? folder_of_claims(arguments_.output) : arguments_.output,
-        !arguments_.target && !asked_plugins && counts_.tally.harmless > 0));
+    session_.summary(to_text(counts_,
+                             arguments_.target ? claims_in(arguments_.output) : arguments_.output,
+                             !arguments_.target && !asked_plugins && counts_.tally.harmless > 0));
     if (counts_.files_unread > 0) return session_.exit_code(kBadInput);
     return session_.exit_code(counts_.tally.refuting > 0 ? kCheckFailed : kDone);
   }
 
  private:
   bool is_over() const { return session_.interrupted() || watch_.seconds() > arguments_.seconds; }
-
-  void note(const std::string& line) {
-    session_.progress().clear();
-    print_err(line);
-  }
 
   /// work(file) returns a Result<bool>, which is false if the file is not done, or is to stay. Its
   /// error says that the file is no input: it is left as it is. A file that is no more is passed
@@ -206,7 +159,8 @@ class TriageRun {
       std::error_code error;
       if (!done && !fs::exists(file, error)) continue;
       if (!done) {
-        note(fmt::format("ccdfuzz: triage: {}; it is left as it is\n", done.error().message()));
+        session_.progress().note(
+            fmt::format("ccdfuzz: triage: {}; it is left as it is\n", done.error().message()));
         ++counts_.files_unread;
         continue;
       }
@@ -229,18 +183,22 @@ class TriageRun {
     options.stop = [this] { return is_over(); };
     std::string at;  // what is worked on
     options.warn = [&](const std::string& warning) {
-      note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
+      session_.progress().note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
     };
     Triage triage(store, options);
     if (!arguments_.known.empty()) {
       for (const NamedCase& entry : need(load_corpus(arguments_.known))) triage.know(entry);
     }
     const auto tell = [&](const Failure& failure, const Case&) {
-      session_.progress().clear();
       ++counts_.finds;
       const std::string path = store.path_of(failure);
-      session_.json ? print_row(TriagedRow{at, failure, path})
-                    : print_out(fmt::format("{}: {}\n", to_text(failure), path));
+      const auto row = [&](auto& archive) {
+        archive.constant("row", "find");
+        archive("input", at);
+        Failure::fields(archive, failure);
+        archive("path", path);
+      };
+      session_.say(row, fmt::format("{}: {}\n", to_text(failure), path));
     };
     go(files, [&](const std::string& file) {
       return cases_of_file(file).map([&](const std::vector<NamedCase>& cases) {
@@ -270,7 +228,7 @@ class TriageRun {
     if (std::error_code error; !known.empty() && !fs::is_directory(known, error)) {
       throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
     }
-    need(make_find_folder(folder_of_claims(arguments_.output)));
+    need(make_writable_folder(claims_in(arguments_.output)));
     ServedClaims served;
     go(files, [&](const std::string& file) {
       return read_bytes(file).map([&](const std::vector<std::uint8_t>& bytes) {
@@ -292,42 +250,49 @@ class TriageRun {
     ++tally.failures;
     ClaimFind find(property, run.error, run.check.text,
                    check_command(property.name, input.choices));
-    const std::optional<ClaimFind> known = known_find(find);
-    if (known && known->is_complete()) {
+    if (is_known(find)) {
       ++tally.known;
       return true;
     }
     const auto least = served.least(property, run, {kShrinkTries, [this] { return is_over(); }});
     if (least) find.set_least(*least);
-    if (known && !find.replaces(*known)) {
+    const SavedFind saved = need(save_find(claims_in(arguments_.output), find));
+    if (!saved.is_new) {
       ++tally.known;
       return !is_over();
     }
-    const std::string path = need(save_find(folder_of_claims(arguments_.output), find));
-    session_.progress().clear();
     ++counts_.finds;
-    tell({file, find, path});
+    tell(file, find, saved.path);
     return find.is_complete() || !is_over();
   }
 
-  /// The find in the folder, or a complete one elsewhere. (An incomplete one hides nothing here.)
-  std::optional<ClaimFind> known_find(const ClaimFind& find) const {
-    const auto in = [&](const std::string& folder) {
-      return need(saved_find(folder_of_claims(folder), find.property, find.error));
+  /// Whether a find of this failure that is shrunk to the end is in the folder, or elsewhere.
+  bool is_known(const ClaimFind& find) const {
+    const auto is_in = [&](const std::string& folder) {
+      const auto saved = need(saved_find(claims_in(folder), find));
+      return saved && saved->is_complete();
     };
-    std::optional<ClaimFind> here = in(arguments_.output);
-    if ((here && here->is_complete()) || arguments_.known.empty()) return here;
-    std::optional<ClaimFind> elsewhere = in(arguments_.known);
-    return elsewhere && elsewhere->is_complete() ? elsewhere : here;
+    return is_in(arguments_.output) || (!arguments_.known.empty() && is_in(arguments_.known));
   }
 
-  void tell(const ClaimFindRow& row) const {
-    if (session_.json) return print_row(row);
-    const Shrunk shrunk = row.find.shrunk;
-    const char* state = shrunk == Shrunk::kToTheEnd   ? ""
-                        : shrunk == Shrunk::kCutShort ? ", not shrunk to the end"
-                                                      : ", not shrunk";
-    print_out(fmt::format("{}: {}{}: {}\n", row.outcome(), row.find.property, state, row.path));
+  void tell(const std::string& input, const ClaimFind& find, const std::string& path) const {
+    const std::string outcome = find.error.empty() ? "refuted claim" : find.error;
+    const bool fails_again = find.shrunk != Shrunk::kNot;
+    const char* state = find.is_complete() ? ""
+                        : fails_again      ? ", not shrunk to the end"
+                                           : ", not shrunk";
+    const auto row = [&](auto& archive) {
+      archive.constant("row", "find");
+      archive("input", input);
+      archive("property", find.property);
+      archive("outcome", outcome);
+      archive("text", fails_again ? find.text : find.found);
+      archive("reproduce", find.reproduce());
+      archive("fails_again", fails_again);
+      archive("cut_short", find.shrunk == Shrunk::kCutShort);
+      archive("saved", path);
+    };
+    session_.say(row, fmt::format("{}: {}{}: {}\n", outcome, find.property, state, path));
   }
 
   const TriageArguments& arguments_;

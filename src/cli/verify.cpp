@@ -94,8 +94,9 @@ int run_verify(const VerifyOptions& options, Session& session) {
       [&](const NamedCase&, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
-        session.show(verified, std::nullopt, [](const Verified& row) -> std::vector<TableCell> {
-          return {{row.id}, {std::string(name_of(row.standing)), Emphasis::kBad}, {row.note}};
+        session.show(verified, std::nullopt, [&]() -> std::vector<TableCell> {
+          const std::string standing(name_of(verified.standing));
+          return {{verified.id}, {standing, Emphasis::kBad}, {verified.note}};
         });
       });
   session.end_table(true);

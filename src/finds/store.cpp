@@ -198,11 +198,8 @@ Result<Store> Store::open(const std::string& folder) {
 
   CCDFUZZ_TRY(const auto lock, FolderLock::take(store.home_));
   store.home_folder_ = lock.folder();
-  remove_leftovers(store.home_);
   // Whoever cannot write should learn it now, and not when the first find is to be kept.
-  if (auto probe = OutputFile::create(store.home_ + "/.probe"); !probe) {
-    return input_error(store.home_, probe.error().what);
-  }
+  CCDFUZZ_TRY_VOID(make_writable_folder(store.home_));
   CCDFUZZ_TRY_VOID(store.read_named());
   return store;
 }

@@ -14,7 +14,8 @@
 // JSON out and in follow from that: to_json, from_json. Fields may be numbers, texts, truths and
 // records, and optionals, vectors, arrays and maps of these. A vector of pairs of a text and a
 // value is a map in its own order. They may also be enumerations that have name_of(E) and
-// all_of(E), and types with a JsonForm.
+// all_of(E), and types with a JsonForm. What is only written need not be a record: a function of an
+// archive does, such as [&](auto& archive) { archive("case", id); }.
 
 #include <algorithm>
 #include <array>
@@ -302,18 +303,19 @@ void write_json(std::string& json, const T& value) {
   using namespace fields_detail;
   if constexpr (HasJsonForm<T>) {
     JsonForm<T>::write(json, value);
-  } else if constexpr (HasFields<T>) {
+  } else if constexpr (HasFields<T> || kIsMap<T> || std::invocable<const T&, JsonWriter&>) {
     json += '{';
     JsonWriter writer(json);
-    visit_fields(writer, value);
+    if constexpr (HasFields<T>) {
+      visit_fields(writer, value);
+    } else if constexpr (kIsMap<T>) {
+      for (const auto& [key, item] : value) writer(key, item);
+    } else {
+      value(writer);
+    }
     json += '}';
   } else if constexpr (kIsOptional<T>) {
     value ? write_json(json, *value) : static_cast<void>(json += "null");
-  } else if constexpr (kIsMap<T>) {
-    json += '{';
-    JsonWriter writer(json);
-    for (const auto& [key, item] : value) writer(key, item);
-    json += '}';
   } else if constexpr (kIsVector<T> || kIsArray<T>) {
     write_items(json, value);
   } else if constexpr (std::same_as<T, RawJson>) {

@@ -184,6 +184,13 @@ Result<void> make_folder(const std::string& folder) {
   return {};
 }
 
+Result<void> make_writable_folder(const std::string& folder) {
+  CCDFUZZ_TRY_VOID(make_folder(folder));
+  remove_leftovers(folder);
+  const auto probe = OutputFile::create(folder + "/.probe");
+  return probe ? Result<void>() : input_error(folder, probe.error().what);
+}
+
 Result<void> write_file(const std::string& path, std::string_view bytes) {
   CCDFUZZ_TRY(auto file, OutputFile::create(path));
   CCDFUZZ_TRY_VOID(file.write(bytes));

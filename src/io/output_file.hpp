@@ -40,6 +40,10 @@ Result<void> write_file(const std::string& path, std::string_view bytes);
 /// Makes a folder, and those that it lies in, unless it is there. Errors: as above.
 Result<void> make_folder(const std::string& folder);
 
+/// The same, without what killed writers left behind in it. Errors: also if no file can be made in
+/// it.
+Result<void> make_writable_folder(const std::string& folder);
+
 /// The process that writes to a temporary file of this name, if it is one of OutputFile's. The file
 /// is a leftover once that process is no more.
 std::optional<int> temporary_writer(std::string_view file_name);

@@ -30,38 +30,6 @@ struct Question {
   }
 };
 
-struct Description {
-  std::string name;
-  bool conservative = false;
-
-  static void fields(auto& archive, auto& description) {
-    const int protocol = 1;
-    archive("protocol", protocol);
-    archive("name", description.name);
-    archive("conservative", description.conservative);
-  }
-};
-
-/// An answer of the line protocol.
-struct Said {
-  std::uint64_t id;
-  Answer answer;
-
-  static void fields(auto& archive, auto& said) {
-    const Answer& answer = said.answer;
-    archive("id", said.id);
-    archive("verdict", answer.verdict == Verdict::kUndecided ? std::string_view("inconclusive")
-                                                             : name_of(answer.verdict));
-    archive("toi", answer.toi);
-    archive("uv", std::array{std::array{answer.uv[0][0], answer.uv[0][1]},
-                             std::array{answer.uv[1][0], answer.uv[1][1]}});
-    archive("iterations", answer.pops);
-    archive("bytes", answer.bytes);
-    archive("seconds", answer.seconds);
-    archive("message", answer.note);
-  }
-};
-
 Result<std::unique_ptr<Method>> made_and_served(const std::string& spec, Told told) {
   Result<std::unique_ptr<Method>> made = make_method(spec);
   if (!made || (*made)->runs_elsewhere()) return made;
@@ -75,7 +43,11 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
       value_or_throw(from_json<Question>(question, "the question", Unknown::kIgnore));
   if (asked.ask == "describe") {
     const Result<MethodInfo> info = method_info(spec);
-    return to_json(Description{spec, info && info->claims_no_false_negative});
+    return to_json([&](auto& description) {
+      description("protocol", 1);
+      description("name", spec);
+      description("conservative", info && info->claims_no_false_negative);
+    });
   }
   const Query query = value_or_throw(parse_query(question, "the question"));
   const Answer answer = timed_answer(method, query, asked.options);
@@ -84,7 +56,18 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
                                      answer.uv[1][0], answer.uv[1][1], answer.seconds},
                           [](double x) { return std::isfinite(x); });
   if (!is_finite) throw std::range_error("the answer holds a number that is not finite");
-  return to_json(Said{asked.id, answer});
+  return to_json([&](auto& said) {
+    const bool is_undecided = answer.verdict == Verdict::kUndecided;
+    said("id", asked.id);
+    said("verdict", is_undecided ? "inconclusive" : name_of(answer.verdict));
+    said("toi", answer.toi);
+    said("uv", std::array{std::array{answer.uv[0][0], answer.uv[0][1]},
+                          std::array{answer.uv[1][0], answer.uv[1][1]}});
+    said("iterations", answer.pops);
+    said("bytes", answer.bytes);
+    said("seconds", answer.seconds);
+    said("message", answer.note);
+  });
 }
 
 Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits,
