@@ -59,7 +59,7 @@ void check_line(Draw& d) {
         read_answer(fmt::format(R"({{"id":7,"verdict":"{}"}})", word), kQuestion, t_max);
     CLAIM(said && said->answer.verdict == meant);
   }
-  if (const Described described = read_description(line)) {
+  if (const auto described = read_description(line)) {
     for (const double claimed : {described->tolerance, described->minimum_separation}) {
       CLAIM(claimed >= 0 && std::isfinite(claimed));
     }

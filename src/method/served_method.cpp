@@ -57,9 +57,8 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
                           [](double x) { return std::isfinite(x); });
   if (!is_finite) throw std::range_error("the answer holds a number that is not finite");
   return to_json([&](auto& said) {
-    const bool is_undecided = answer.verdict == Verdict::kUndecided;
     said("id", asked.id);
-    said("verdict", is_undecided ? "inconclusive" : name_of(answer.verdict));
+    said("verdict", word_of(answer.verdict));
     said("toi", answer.toi);
     said("uv", std::array{std::array{answer.uv[0][0], answer.uv[0][1]},
                           std::array{answer.uv[1][0], answer.uv[1][1]}});

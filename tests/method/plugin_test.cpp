@@ -220,6 +220,17 @@ TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
   EXPECT_TRUE(is_admitted("tdibm-c"));
 }
 
+TEST(Plugin, IsAtFaultWhenItRefusesToBeStartedAgain) {
+  const ScratchFolder folder;
+  write_text(folder / "once", "#!/bin/sh\nread line\nif [ -e " + (folder / "started") +
+                                  " ]; then echo '{\"refused\":\"options\",\"message\":\"not "
+                                  "again\"}'; exit; fi\ntouch " +
+                                  (folder / "started") + "\necho '{\"protocol\":1}'\n");
+  std::filesystem::permissions(folder / "once", std::filesystem::perms::owner_all);
+  const auto once = made("plugin-exec:" + (folder / "once"));
+  EXPECT_EQ(fault_of(*once), std::pair(std::string("refused"), std::string("not again")));
+}
+
 TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
   const ScratchFolder folder;
   write_text(folder / "text", "no library\n");

@@ -39,28 +39,33 @@ constexpr std::array<std::string_view, 2> names_of(NumberWidth) {
   return {"binary64", "binary32"};
 }
 
-/// A claim about bodies, of which it takes none: it would claim nothing.
-std::optional<PluginRefusal> idle_claim(const Features& claimed) {
-  for (const FeatureClaim& claim : kFeatureClaims) {
-    if (claimed.bodies || kPatchFeatures.*claim.feature || !(claimed.*claim.feature)) continue;
-    return PluginRefusal{fmt::format("claims {} without takes_bodies", claim.field)};
-  }
-  return std::nullopt;
+tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& note) {
+  return tl::unexpected(Fault{name, note});
 }
 
-/// A claim so loose that it would excuse any answer.
-std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
+/// Refused: a claim about bodies of one that takes none, which would claim nothing.
+tl::expected<void, Fault> check_claims(const Features& claimed) {
+  for (const FeatureClaim& claim : kFeatureClaims) {
+    if (claimed.bodies || kPatchFeatures.*claim.feature || !(claimed.*claim.feature)) continue;
+    return answer_fault(kRefusal, fmt::format("claims {} without takes_bodies", claim.field));
+  }
+  return {};
+}
+
+/// Refused: a claim so loose that it would excuse any answer.
+tl::expected<void, Fault> check_looseness(const PluginDescription& d) {
   const bool relative = d.tolerance_kind == ToleranceKind::kTimeRelative ||
                         d.tolerance_kind == ToleranceKind::kSpaceRelative;
   const auto refusal = [](const char* field, double value, double most) {
-    return PluginRefusal{fmt::format("claims {} {}, which is not in [0, {}]", field, value, most)};
+    return answer_fault(kRefusal,
+                        fmt::format("claims {} {}, which is not in [0, {}]", field, value, most));
   };
   const double most = relative ? kMostRelativeTolerance : kMostTolerance;
   if (d.tolerance > most) return refusal("tolerance", d.tolerance, most);
   if (d.minimum_separation > kMostTolerance) {
     return refusal("minimum_separation", d.minimum_separation, kMostTolerance);
   }
-  return std::nullopt;
+  return {};
 }
 
 // The values of a line that a plug-in answers with, which may hold anything.
@@ -87,10 +92,6 @@ std::string with_quoted_non_finite(const std::string& line) {
     }
   }
   return out;
-}
-
-tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& note) {
-  return tl::unexpected(Fault{name, note});
 }
 
 /// It is no answer.
@@ -290,24 +291,21 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
 }
 
-Described read_description(const std::string& line) {
+tl::expected<PluginDescription, Fault> read_description(const std::string& line) {
   CCDFUZZ_TRY(const auto object, parse_object(line));
-  if (const JsonValue* refused = object.find("refused"); refused != nullptr) {
-    return tl::unexpected(PluginRefusal{text_of(object, "message")});
-  }
+  const std::string message = text_of(object, "message");
+  if (object.find("refused") != nullptr) return answer_fault(kRefusal, message);
   if (const JsonValue* named = object.find("fault"); named != nullptr) {
-    return tl::unexpected(Fault{named->text, text_of(object, "message")});
+    return answer_fault(named->text, message);
   }
   if (number_of(object.find("protocol")) != 1.0) {
-    return tl::unexpected(
-        Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
+    return garbage_answer("does not describe itself with \"protocol\": 1: " + line.substr(0, 80));
   }
   const std::string text = parse_json(line, kFrom) ? line : with_quoted_non_finite(line);
   Result<PluginDescription> read = from_json<PluginDescription>(text, "its description");
-  if (!read) return tl::unexpected(PluginRefusal{read.error().message()});
-  const PluginDescription& out = *read;
-  if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
-  if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
+  if (!read) return answer_fault(kRefusal, read.error().message());
+  CCDFUZZ_TRY_VOID(check_claims(read->features));
+  CCDFUZZ_TRY_VOID(check_looseness(*read));
   return *std::move(read);
 }
 

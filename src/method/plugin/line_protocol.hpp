@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
-#include <variant>
 #include <vector>
 
 #include "base/enum_names.hpp"
@@ -51,11 +50,6 @@ struct PluginDescription {
   Features features;
 };
 
-/// Why a plug-in cannot be used at all: it is the user who must act, it is no finding.
-struct PluginRefusal {
-  std::string what;
-};
-
 /// The line protocol: one JSON object a line each way; docs/plug-ins.md has it in words.
 std::string describe_request(const std::string& options);
 /// max_seconds: in place of that of the options. Coordinates that are not finite become the words
@@ -63,10 +57,16 @@ std::string describe_request(const std::string& options);
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
                           std::uint64_t id, bool tells_work);
 
-/// Errors: a refusal (it says so, or claims a tolerance above those limits), or anything that is
-/// not a description (a fault).
-using Described = tl::expected<PluginDescription, std::variant<Fault, PluginRefusal>>;
-Described read_description(const std::string& line);
+/// The fault of a plug-in that cannot be used at all: it is the user who must act.
+inline constexpr const char* kRefusal = "refused";
+/// Errors: kRefusal (it says so, or claims a tolerance above those limits), or anything that is not
+/// a description.
+tl::expected<PluginDescription, Fault> read_description(const std::string& line);
+
+/// "hit", "miss", "inconclusive" or "refused".
+constexpr std::string_view word_of(Verdict verdict) {
+  return verdict == Verdict::kUndecided ? "inconclusive" : name_of(verdict);
+}
 
 /// An answer, as far as it goes beyond Answer.
 struct PluginAnswer {

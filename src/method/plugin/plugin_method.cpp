@@ -43,17 +43,13 @@ std::string claims_text(const PluginDescription& d) {
 }
 
 std::string text_of(const Answer& answer) {
-  switch (answer.verdict) {
-    case Verdict::kHit:
-      return fmt::format("hit at {}", *answer.toi);
-    case Verdict::kMiss:
-      return "miss";
-    case Verdict::kUndecided:
-      return "inconclusive";
-    case Verdict::kRefused:
-      return "refused";
-  }
-  return "";
+  const std::string word(word_of(answer.verdict));
+  return answer.verdict == Verdict::kHit ? fmt::format("{} at {}", word, *answer.toi) : word;
+}
+
+/// What a plug-in says of itself, or does in place of that.
+tl::expected<PluginDescription, Fault> described_by(Child& worker, const PluginSpec& spec) {
+  return worker.ask(describe_request(spec.options)).and_then(read_description);
 }
 
 class PluginMethod : public Method {
@@ -113,19 +109,6 @@ class PluginMethod : public Method {
     throw MethodFault(fault.name, fault.note);
   }
 
-  std::string exchange(const std::string& line) {
-    auto reply = worker_.ask(line);
-    if (!reply) throw_fault(reply.error());
-    return *std::move(reply);
-  }
-
-  void start() {
-    const Described described = read_description(exchange(describe_request(plugin_->spec.options)));
-    if (described) return;
-    if (const auto* fault = std::get_if<Fault>(&described.error())) throw_fault(*fault);
-    throw std::runtime_error(std::get<PluginRefusal>(described.error()).what);
-  }
-
   /// Whoever kills a worker without our doing (the system, short of memory) does so once.
   PluginAnswer ask_unless_killed(const Query& query, const SearchOptions& options) {
     const bool is_used = plugin_->is_ours && worker_.has_answered();
@@ -166,11 +149,16 @@ class PluginMethod : public Method {
 
   /// An answer, or what is none. Throws what its process does in place of answering.
   tl::expected<PluginAnswer, Fault> ask_for_any(const Query& query, const SearchOptions& options) {
-    if (!worker_.runs()) start();
+    if (!worker_.runs()) {
+      const auto described = described_by(worker_, plugin_->spec);
+      if (!described) throw_fault(described.error());
+    }
     const double max_seconds = std::min(options.max_seconds, plugin_->most_seconds);
     const std::string line =
         query_request(query, options, max_seconds, ++last_id_, plugin_->is_ours);
-    return read_answer(exchange(line), last_id_, query.t_max);
+    const auto reply = worker_.ask(line);
+    if (!reply) throw_fault(reply.error());
+    return read_answer(*reply, last_id_, query.t_max);
   }
 
   /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
@@ -196,16 +184,8 @@ class PluginMethod : public Method {
   static bool keeps(NanPolicy policy, const tl::expected<PluginAnswer, Fault>& given) {
     if (!given) return policy == NanPolicy::kError && given.error().name == "error";
     const Answer& answer = given->answer;
-    switch (policy) {
-      case NanPolicy::kHit:
-        return answer.verdict == Verdict::kHit && *answer.toi == 0;
-      case NanPolicy::kInconclusive:
-        return answer.verdict == Verdict::kUndecided;
-      case NanPolicy::kRefused:
-        return answer.verdict == Verdict::kRefused;
-      default:
-        return false;
-    }
+    return name_of(policy) == word_of(answer.verdict) &&
+           (answer.verdict != Verdict::kHit || *answer.toi == 0);
   }
 
   std::shared_ptr<const KnownPlugin> plugin_;
@@ -222,20 +202,13 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   }
   const ChildProgram program = {{spec.is_program ? "run" : "load", spec.path},
                                 {.seconds = spec.seconds, .megabytes = spec.megabytes}};
-  const auto known = [&](tl::expected<PluginDescription, Fault> description) {
-    return std::make_shared<const KnownPlugin>(
-        KnownPlugin{spec, std::move(description), program, spec.seconds});
-  };
   Child worker(program);
-  const auto line = worker.ask(describe_request(spec.options));
-  if (!line) return known(tl::unexpected(line.error()));
-  Described described = read_description(*line);
-  if (described) return known(*std::move(described));
-  if (const auto* fault = std::get_if<Fault>(&described.error())) {
-    return known(tl::unexpected(*fault));
+  auto description = described_by(worker, spec);
+  if (!description && description.error().name == kRefusal) {
+    return input_error("--methods", fmt::format("\"{}\": {}", text, description.error().note));
   }
-  const std::string& why = std::get<PluginRefusal>(described.error()).what;
-  return input_error("--methods", fmt::format("\"{}\": {}", text, why));
+  return std::make_shared<const KnownPlugin>(
+      KnownPlugin{spec, std::move(description), program, spec.seconds});
 }
 
 /// Those that were met, by spec or name.
