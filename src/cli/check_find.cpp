@@ -98,7 +98,7 @@ Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const Cla
 
 Result<SavedFind> save_find(const std::string& folder, const ClaimFind& find,
                             const std::string& name) {
-  CCDFUZZ_TRY_VOID(make_writable_folder(folder));
+  CCDFUZZ_TRY_VOID(make_folder(folder));
   CCDFUZZ_TRY(const auto lock, FolderLock::take(folder));
   const std::string stem = find.stem();
   SavedFind saved{path_of(folder, name.empty() ? stem : name)};
