@@ -39,28 +39,25 @@ std::optional<double> Dyadic::to_double_exactly() const {
   return double_of(m_.get_si(), static_cast<int>(k_));
 }
 
-Dyadic& Dyadic::operator+=(const Dyadic& o) {
+Dyadic& Dyadic::combine(const Dyadic& o, decltype(mpz_add)* sum) {
   if (o.m_ == 0) return *this;
-  if (m_ == 0) return *this = o;
-  if (k_ > o.k_) {
+  if (m_ == 0) k_ = o.k_;
+  if (k_ < o.k_) {
+    thread_local Integer shifted;  // keeps its memory
+    mpz_mul_2exp(shifted.get_mpz_t(), o.m_.get_mpz_t(), static_cast<mp_bitcnt_t>(o.k_ - k_));
+    sum(m_.get_mpz_t(), m_.get_mpz_t(), shifted.get_mpz_t());
+  } else {
     mpz_mul_2exp(m_.get_mpz_t(), m_.get_mpz_t(), static_cast<mp_bitcnt_t>(k_ - o.k_));
     k_ = o.k_;
-    m_ += o.m_;
-  } else if (k_ < o.k_) {
-    Integer shifted;
-    mpz_mul_2exp(shifted.get_mpz_t(), o.m_.get_mpz_t(), static_cast<mp_bitcnt_t>(o.k_ - k_));
-    m_ += shifted;
-  } else {
-    m_ += o.m_;
+    sum(m_.get_mpz_t(), m_.get_mpz_t(), o.m_.get_mpz_t());
   }
   normalise();
   return *this;
 }
 
-Dyadic& Dyadic::operator*=(const Dyadic& o) {
-  m_ *= o.m_;
-  k_ += o.k_;
-  if (m_ == 0) k_ = 0;  // odd times odd is odd: nothing else to normalise
+Dyadic& Dyadic::set_product(const Dyadic& a, const Dyadic& b) {
+  m_ = a.m_ * b.m_;
+  k_ = m_ == 0 ? 0 : a.k_ + b.k_;  // odd times odd is odd
   return *this;
 }
 

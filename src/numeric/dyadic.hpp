@@ -33,13 +33,18 @@ class Dyadic {
   Dyadic scaled(long shift) const { return m_ == 0 ? Dyadic() : Dyadic(m_, k_ + shift); }
 
   Dyadic operator-() const { return Dyadic(-m_, k_); }
-  Dyadic& operator+=(const Dyadic& o);
-  Dyadic& operator-=(const Dyadic& o) { return *this += -o; }
-  Dyadic& operator*=(const Dyadic& o);
+  Dyadic& operator+=(const Dyadic& o) { return combine(o, mpz_add); }
+  Dyadic& operator-=(const Dyadic& o) { return combine(o, mpz_sub); }
+  Dyadic& operator*=(const Dyadic& o) { return set_product(*this, o); }
+  /// Becomes a·b, in the memory that it has.
+  Dyadic& set_product(const Dyadic& a, const Dyadic& b);
 
-  friend Dyadic operator+(Dyadic a, const Dyadic& b) { return a += b; }
-  friend Dyadic operator-(Dyadic a, const Dyadic& b) { return a -= b; }
-  friend Dyadic operator*(Dyadic a, const Dyadic& b) { return a *= b; }
+  // Without std::move the result is a copy, as a += b is an lvalue.
+  friend Dyadic operator+(Dyadic a, const Dyadic& b) { return std::move(a += b); }
+  friend Dyadic operator-(Dyadic a, const Dyadic& b) { return std::move(a -= b); }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+    return std::move(Dyadic().set_product(a, b));
+  }
   friend bool operator==(const Dyadic& a, const Dyadic& b) { return a.k_ == b.k_ && a.m_ == b.m_; }
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b) {
     return (a - b).sign() <=> 0;
@@ -47,6 +52,8 @@ class Dyadic {
   friend std::ostream& operator<<(std::ostream& out, const Dyadic& x);
 
  private:
+  /// sum: mpz_add or mpz_sub.
+  Dyadic& combine(const Dyadic& o, decltype(mpz_add)* sum);
   void normalise();
 
   Integer m_ = 0;

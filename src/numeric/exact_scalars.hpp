@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numeric/dyadic.hpp"
+#include "numeric/fraction.hpp"
 #include "numeric/rational.hpp"
 #include "numeric/vec3.hpp"
 
@@ -34,6 +34,8 @@ template <>
 struct NumTraits<ccdfuzz::Rational> : ExactNumTraits<ccdfuzz::Rational> {};
 template <>
 struct NumTraits<ccdfuzz::Dyadic> : ExactNumTraits<ccdfuzz::Dyadic> {};
+template <>
+struct NumTraits<ccdfuzz::Fraction> : ExactNumTraits<ccdfuzz::Fraction> {};
 
 }  // namespace Eigen
 
@@ -56,6 +58,10 @@ inline Rational from_double<Rational>(double x) {
 }
 template <>
 inline Dyadic from_double<Dyadic>(double x) {
+  return Dyadic::exact(x);
+}
+template <>
+inline Fraction from_double<Fraction>(double x) {
   return Dyadic::exact(x);
 }
 

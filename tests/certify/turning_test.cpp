@@ -291,5 +291,16 @@ TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   EXPECT_FALSE(is_valid(query));
 }
 
+TEST(Work, FractionsTakeTheWordsOfRationals) {
+  for (const long divisor : {1L, 3L, 0x7fff'ffff'ffff'ffffL}) {
+    for (const long number : {0L, 1L, -5L, 0x7fff'ffff'ffff'fffeL}) {
+      for (long exponent = -130; exponent <= 130; ++exponent) {
+        const Rational x = Rational(number) / divisor * power_of_two(exponent);
+        ASSERT_EQ(words_of(Fraction(x)), words_of(x)) << x;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ccdfuzz

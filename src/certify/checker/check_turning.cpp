@@ -15,60 +15,70 @@ constexpr const char* kPlanes = "truth.certificate.clear";
 
 /// A polynomial on an interval: Bernstein coefficients times binomials. So a product is one of the
 /// numbers alone, and (1, 1) is the constant 1.
-using Polynomial = std::vector<Rational>;
-using Numbers = std::vector<Rational>;
+using Polynomial = std::vector<Fraction>;
+using Numbers = std::vector<Fraction>;
 /// w, x, y, z.
 using Quaternion = std::array<Polynomial, 4>;
+
+Fraction real(double x) {
+  return Dyadic::exact(x);
+}
 
 /// Arithmetic that is charged for.
 class Charged {
  public:
   explicit Charged(Work& work) : work_(work) {}
 
-  Rational product(const Rational& a, const Rational& b) {
+  Fraction product(const Fraction& a, const Fraction& b) {
     work_.charge(product_work(a, b));
     return a * b;
   }
-  void add(Rational& sum, const Rational& x) {
+  void add(Fraction& sum, const Fraction& x) {
     work_.charge(product_work(sum, x));
     sum += x;
+  }
+  void add_product(Fraction& sum, const Fraction& a, const Fraction& b) {
+    work_.charge(product_work(a, b));
+    add(sum, product_.set_product(a, b));
   }
   Polynomial product(const Polynomial& a, const Polynomial& b) {
     Polynomial out(a.size() + b.size() - 1);
     for (size_t i = 0; i < a.size(); ++i) {
-      for (size_t j = 0; j < b.size(); ++j) add(out[i + j], product(a[i], b[j]));
+      for (size_t j = 0; j < b.size(); ++j) add_product(out[i + j], a[i], b[j]);
     }
     return out;
   }
   /// The sum, of which one may be of a lower degree.
-  Polynomial sum(Polynomial a, Polynomial b) {
-    while (a.size() < b.size()) a = product(a, {1, 1});
-    while (b.size() < a.size()) b = product(b, {1, 1});
+  Polynomial sum(Polynomial a, const Polynomial& b) {
+    static const Polynomial one = {1, 1};
+    while (a.size() < b.size()) a = product(a, one);
+    if (b.size() < a.size()) return sum(std::move(a), product(b, one));
     for (size_t i = 0; i < a.size(); ++i) add(a[i], b[i]);
     return a;
   }
-  Polynomial times(const Rational& factor, Polynomial p) {
-    for (Rational& c : p) c = product(factor, c);
+  Polynomial times(const Fraction& factor, Polynomial p) {
+    for (Fraction& c : p) c = product(factor, c);
     return p;
   }
-  Rational dot(const Numbers& a, const Numbers& b) {
-    Rational out = 0;
-    for (size_t i = 0; i < a.size(); ++i) add(out, product(a[i], b[i]));
+  Fraction dot(const Numbers& a, const Numbers& b) {
+    Fraction out = 0;
+    for (size_t i = 0; i < a.size(); ++i) add_product(out, a[i], b[i]);
     return out;
   }
   /// (1 − t)·from + t·to
   Numbers between(const std::vector<double>& from, const std::vector<double>& to,
-                  const Rational& t) {
+                  const Fraction& t) {
     Numbers out;
     for (size_t i = 0; i < from.size(); ++i) {
-      out.push_back(product(1 - t, exact(from[i])));
-      add(out[i], product(t, exact(to[i])));
+      out.push_back(product(1 - t, real(from[i])));
+      add(out[i], product(t, real(to[i])));
     }
     return out;
   }
 
  private:
   Work& work_;
+  Fraction product_;  ///< keeps its memory
 };
 
 /// The matrix p ↦ q p q* of a quaternion.
@@ -84,7 +94,7 @@ std::array<std::array<Polynomial, 3>, 3> matrix_of(const Quaternion& q, Charged&
       if (row == column) {
         sum = products[0][0];
         for (size_t i = 1; i < 4; ++i) {
-          sum = with.sum(sum, with.times(i == row + 1 ? 1 : -1, products[i][i]));
+          sum = with.sum(std::move(sum), with.times(i == row + 1 ? 1 : -1, products[i][i]));
         }
       } else {
         // 2(q_i q_j ± q_0 q_k), with + where k follows i and j in the cycle in reverse.
@@ -105,7 +115,7 @@ Quaternion product(const Quaternion& a, const Quaternion& b, Charged& with) {
     for (size_t j = 0; j < 4; ++j) {
       const bool is_positive = i == 0 || j == 0 || (i != j && (j + 3 - i) % 3 == 1);
       Polynomial& part = out[i ^ j];
-      part = with.sum(part, with.times(is_positive ? 1 : -1, with.product(a[i], b[j])));
+      part = with.sum(std::move(part), with.times(is_positive ? 1 : -1, with.product(a[i], b[j])));
     }
   }
   return out;
@@ -113,7 +123,7 @@ Quaternion product(const Quaternion& a, const Quaternion& b, Charged& with) {
 
 /// A plane in a part of its time.
 struct Piece {
-  Rational from, until;
+  Fraction from, until;
   std::array<Polynomial, 3> normal;
   Polynomial offset;
 };
@@ -141,27 +151,30 @@ class HeightCheck {
   bool holds() {
     const Vec3<double> centre = body_.turn ? body_.turn->centre : Vec3<double>(0, 0, 0);
     Polynomial height =
-        with_.sum(with_.times(-1, piece_.offset), Polynomial{Rational(-sign_ * margin_)});
+        with_.sum(with_.times(-1, piece_.offset), Polynomial{sign_ > 0 ? -margin_ : margin_});
     for (int k = 0; k < 3; ++k) {
-      const Rational velocity = exact(body_.velocities[0][k]);
+      const Fraction velocity = real(body_.velocities[0][k]);
       Polynomial place = {with_.product(piece_.from, velocity),
                           with_.product(piece_.until, velocity)};
-      for (Rational& x : place) with_.add(x, exact(centre[k]));
-      height = with_.sum(height, with_.product(piece_.normal[static_cast<size_t>(k)], place));
+      for (Fraction& x : place) with_.add(x, real(centre[k]));
+      height =
+          with_.sum(std::move(height), with_.product(piece_.normal[static_cast<size_t>(k)], place));
     }
     return std::ranges::all_of(scales_, [&](const Polynomial& scale) {
       Polynomial base = with_.product(height, scale);
       std::array<Polynomial, 3> rows = rows_;
       if (is_by_angle_) rows[2] = with_.product(piece_.normal[2], scale);
-      base = with_.sum(base, Polynomial(rows[0].size(), 0));
-      for (Polynomial& row : rows) row = with_.sum(row, Polynomial(base.size(), 0));
+      base = with_.sum(std::move(base), Polynomial(rows[0].size(), 0));
+      for (Polynomial& row : rows) row = with_.sum(std::move(row), Polynomial(base.size(), 0));
+      Polynomial sum;
       return std::ranges::all_of(body_.positions, [&](const Vec3<double>& p) {
-        Polynomial sum = base;
+        sum = base;
         for (int k = 0; k < 3; ++k) {
-          const Rational from_centre = exact(p[k]) - exact(centre[k]);
-          sum = with_.sum(sum, with_.times(from_centre, rows[static_cast<size_t>(k)]));
+          const Fraction from_centre = real(p[k]) - real(centre[k]);
+          const Polynomial& row = rows[static_cast<size_t>(k)];
+          for (size_t i = 0; i < sum.size(); ++i) with_.add_product(sum[i], from_centre, row[i]);
         }
-        return std::ranges::all_of(sum, [&](const Rational& c) { return sign_ * sgn(c) >= 0; });
+        return std::ranges::all_of(sum, [&](const Fraction& c) { return sign_ * sgn(c) >= 0; });
       });
     });
   }
@@ -172,8 +185,8 @@ class HeightCheck {
     for (size_t column = 0; column < 3; ++column) {
       rows_[column] = {0};
       for (size_t row = 0; row < 3; ++row) {
-        rows_[column] =
-            with_.sum(rows_[column], with_.product(piece_.normal[row], matrix[row][column]));
+        rows_[column] = with_.sum(std::move(rows_[column]),
+                                  with_.product(piece_.normal[row], matrix[row][column]));
       }
     }
   }
@@ -192,39 +205,43 @@ class HeightCheck {
   void turn_by_spin() {
     scales_ = {{1}};
     const std::vector<double>& spin = body_.turn->spin;
-    const auto start = quaternion_of_spin(spin, piece_.from, work_);
+    const auto start = quaternion_of_spin(spin, piece_.from.rational(), work_);
     // With v = w·(until − from)/2 and x = |v|², the rest turns by the series of (cos |v|s, sin |v|s
     // / |v| · v) up to s².
     Numbers v;
     for (const double w : spin) {
-      v.push_back(with_.product(exact(w) / 2, piece_.until - piece_.from));
+      v.push_back(with_.product(real(w) / 2, piece_.until - piece_.from));
     }
-    const Rational x = with_.dot(v, v);
-    Quaternion rest = {with_.sum({1}, {0, 0, Rational(-x / 2)}), {0, v[0]}, {0, v[1]}, {0, v[2]}};
+    const Fraction x = with_.dot(v, v);
+    Quaternion rest = {with_.sum({1}, {0, 0, -x / 2}), {0, v[0]}, {0, v[1]}, {0, v[2]}};
     Quaternion first;
     for (size_t i = 0; i < 4; ++i) first[i] = {start[i]};
     Quaternion q = product(first, rest, with_);
     for (Polynomial& part : q) {
-      for (Rational& c : part) c = rounded(c);
+      for (Fraction& c : part) c = rounded(c);
     }
     turn_by(q);
-    margin_ = margin_of_spin(with_.product(x, root_above(x, work_)) / 6);
+    margin_ = margin_of_spin(with_.product(x, root_of(x)) / 6);
   }
 
   /// Towards 0, by less than spin_error.
-  Rational rounded(const Rational& x) {
-    const Rational unit = spin_error();
+  Fraction rounded(const Fraction& x) {
+    const Fraction unit = spin_error();
     work_.charge(product_work(x, unit));
-    return Rational(Integer(x.get_num() * unit.get_den() / x.get_den())) * unit;
+    const Integer units = floor_of_ratio(x.sign() < 0 ? -x : x, unit);
+    return Fraction(Dyadic(Integer(x.sign() * units), 0)) * unit;
   }
 
+  Fraction root_of(const Fraction& x) { return root_above(x.rational(), work_); }
+
   /// What heights can be off by, with a quaternion of the rest that is off by so much.
-  Rational margin_of_spin(const Rational& error_of_rest) {
-    const Rational error = with_.product(1 + spin_error(), error_of_rest) + 3 * spin_error();
-    Rational farthest = 0, longest = 0;
+  Fraction margin_of_spin(const Fraction& error_of_rest) {
+    const Fraction of_start = spin_error();
+    const Fraction error = with_.product(1 + of_start, error_of_rest) + 3 * of_start;
+    Fraction farthest = 0, longest = 0;
     for (const Vec3<double>& p : body_.positions) {
       Numbers way;
-      for (int k = 0; k < 3; ++k) way.push_back(exact(p[k]) - exact(body_.turn->centre[k]));
+      for (int k = 0; k < 3; ++k) way.push_back(real(p[k]) - real(body_.turn->centre[k]));
       farthest = std::max(farthest, with_.dot(way, way));
     }
     for (const size_t end : {size_t{0}, size_t{1}}) {
@@ -232,7 +249,7 @@ class HeightCheck {
       const Numbers normal = {a[end], b[end], c[end]};
       longest = std::max(longest, with_.dot(normal, normal));
     }
-    const Rational length = with_.product(root_above(longest, work_), root_above(farthest, work_));
+    const Fraction length = with_.product(root_of(longest), root_of(farthest));
     return with_.product(with_.product(error, 2 + error), length);
   }
 
@@ -243,11 +260,10 @@ class HeightCheck {
     rows_[0] = with_.sum(with_.product(x, cosine), with_.product(y, sine));
     rows_[1] = with_.sum(with_.product(y, cosine), with_.times(-1, with_.product(x, sine)));
     Numbers along = {from_[0] + until_[0], from_[1] + until_[1]};
-    const Rational length = root_above(with_.dot(along, along), work_);
-    for (Rational& c : along) c = with_.product(c, 1 / length);
-    scales_ = {
-        {with_.dot(from_, along), with_.dot(until_, along)},
-        {root_above(with_.dot(from_, from_), work_), root_above(with_.dot(until_, until_), work_)}};
+    const Fraction length = root_of(with_.dot(along, along));
+    for (Fraction& c : along) c = with_.product(c, 1 / length);
+    scales_ = {{with_.dot(from_, along), with_.dot(until_, along)},
+               {root_of(with_.dot(from_, from_)), root_of(with_.dot(until_, until_))}};
   }
 
   const MovingPatch<double>& body_;
@@ -258,7 +274,7 @@ class HeightCheck {
   Numbers from_, until_;            ///< q at the ends of the piece
   std::vector<Polynomial> scales_;  ///< D, or what it is between
   std::array<Polynomial, 3> rows_;  ///< the normal times the matrix of the turn, times D
-  Rational margin_ = 0;             ///< what heights may be off by
+  Fraction margin_ = 0;             ///< what heights may be off by
   bool is_by_angle_ = false;
 };
 
@@ -271,19 +287,19 @@ Result<void> check_between(const Query& query, const BodyPlanes::Plane& plane,
     return refuse(
         fmt::format("until: {} is past 1, where {}", abbreviated(until), end_of_motion(query)));
   }
-  const Rational reach =
-      exact(query.separation) + exact(query.patches[0].radius) + exact(query.patches[1].radius);
+  const Fraction reach =
+      real(query.separation) + real(query.patches[0].radius) + real(query.patches[1].radius);
   Charged with(work);
   for (const auto& n : plane.normals) {
     const Numbers normal(n.begin(), n.end());
-    const Rational kept = with.product(with.product(reach, reach), with.dot(normal, normal));
+    const Fraction kept = with.product(with.product(reach, reach), with.dot(normal, normal));
     if (plane.gap > 0 && with.product(plane.gap, plane.gap) > kept) continue;
     return refuse(fmt::format("gap: {} does not keep the bodies apart", abbreviated(plane.gap)));
   }
   for (size_t k = 0; k < 3; ++k) piece.normal[k] = {plane.normals[0][k], plane.normals[1][k]};
   piece.offset = {plane.offsets[0], plane.offsets[1]};
   const bool is_below = HeightCheck(query.patches[0], piece, -1, work).holds();
-  for (Rational& x : piece.offset) with.add(x, plane.gap);
+  for (Fraction& x : piece.offset) with.add(x, plane.gap);
   if (is_below && HeightCheck(query.patches[1], piece, 1, work).holds()) return {};
   return refuse(fmt::format("patches[{}] is not seen to stay on its side of a plane from {} on",
                             is_below ? 1 : 0, abbreviated(plane.from)));
@@ -316,20 +332,22 @@ Rational root_above(const Rational& x, Work& work) {
 std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
                                       const Rational& t, Work& work) {
   Charged with(work);
-  MovedPoint out{p};
+  MovedPoint out;
+  Numbers at{p[0], p[1], p[2]};
   if (body.turn) {
     const BodyTurn& turn = *body.turn;
     Vec3<Rational> way;
     for (int k = 0; k < 3; ++k) way[k] = p[k] - exact(turn.centre[k]);
     Numbers q = with.between(turn.from, turn.to, t);
-    Rational scale = with.dot(q, q);
+    Fraction scale = with.dot(q, q);
     if (turn.is_spin()) {
       const auto spun = quaternion_of_spin(turn.spin, t, work);
       q.assign(spun.begin(), spun.end());
       scale = 1;
       // |q p q* − r p r*| ≤ |q − r|·(|q| + |r|)·|p|, and |p| ≤ |x| + |y| + |z|.
       const Rational length = abs(way[0]) + abs(way[1]) + abs(way[2]);
-      out.error = with.product(with.product(spin_error(), 2 + spin_error()), length);
+      const Fraction error = spin_error();
+      out.error = with.product(with.product(error, 2 + error), length).rational();
       // If w·t = 0, the quaternion is exactly 1.
       const auto is_zero = [](double w) { return exact(w) == 0; };
       if (t == 0 || std::ranges::all_of(turn.spin, is_zero)) out.error = 0;
@@ -337,26 +355,29 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
     if (q.size() == 4) {
       const auto matrix = matrix_of({Polynomial{q[0]}, {q[1]}, {q[2]}, {q[3]}}, with);
       for (size_t row = 0; row < 3; ++row) {
-        Rational sum = 0;
+        Fraction sum = 0;
         for (size_t column = 0; column < 3; ++column) {
           with.add(sum, with.product(matrix[row][column][0], way[static_cast<int>(column)]));
         }
-        out.point[static_cast<int>(row)] = sum;
+        at[row] = sum;
       }
     } else {
-      const Rational root = root_above(scale, work);
+      const Fraction root = root_above(scale.rational(), work);
       if (root * root != scale) return std::nullopt;
       scale = root;
-      out.point = {Rational(with.product(q[0], way[0]) - with.product(q[1], way[1])),
-                   Rational(with.product(q[1], way[0]) + with.product(q[0], way[1])),
-                   with.product(scale, way[2])};
+      at = {with.product(q[0], way[0]) - with.product(q[1], way[1]),
+            with.product(q[1], way[0]) + with.product(q[0], way[1]), with.product(scale, way[2])};
     }
-    for (int k = 0; k < 3; ++k) {
-      out.point[k] = with.product(out.point[k], 1 / scale);
-      with.add(out.point[k], exact(turn.centre[k]));
+    for (size_t k = 0; k < 3; ++k) {
+      at[k] = with.product(at[k], 1 / scale);
+      with.add(at[k], real(turn.centre[static_cast<int>(k)]));
     }
   }
-  for (int k = 0; k < 3; ++k) with.add(out.point[k], with.product(t, exact(body.velocities[0][k])));
+  for (int k = 0; k < 3; ++k) {
+    Fraction& x = at[static_cast<size_t>(k)];
+    with.add(x, with.product(t, real(body.velocities[0][k])));
+    out.point[k] = x.rational();
+  }
   return out;
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/result.hpp"
 #include "certify/checker/work_done.hpp"
-#include "numeric/dyadic.hpp"
+#include "numeric/fraction.hpp"
 
 namespace ccdfuzz {
 
@@ -25,6 +25,15 @@ inline std::uint64_t words_of(const Rational& x) {
 inline std::uint64_t words_of(const Dyadic& x) {
   return words_of(x.mantissa());
 }
+/// Those of the Rational that it equals.
+inline std::uint64_t words_of(const Fraction& x) {
+  const auto shifted = [](const Integer& n, long by) -> std::uint64_t {
+    if (by <= 0 || n == 0) return words_of(n);
+    return (mpz_sizeinbase(n.get_mpz_t(), 2) + static_cast<std::uint64_t>(by) + 63) / 64;
+  };
+  const Dyadic& n = x.numerator();
+  return shifted(n.mantissa(), n.exponent()) + shifted(x.odd_divisor(), -n.exponent());
+}
 inline std::uint64_t words_of(double) {
   return 1;
 }
@@ -42,6 +51,9 @@ inline std::uint64_t fraction_work(std::uint64_t words) {
   return kCalls + 4 * words * words;
 }
 inline std::uint64_t product_work(const Rational& a, const Rational& b) {
+  return fraction_work(words_of(a) + words_of(b));
+}
+inline std::uint64_t product_work(const Fraction& a, const Fraction& b) {
   return fraction_work(words_of(a) + words_of(b));
 }
 
