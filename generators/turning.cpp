@@ -121,7 +121,7 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
   const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
   back.turn = BodyTurn{{}, {}, centre, {-w[0], -w[1], -w[2]}};
   body.turn = BodyTurn{{}, {}, centre, {w[0], w[1], w[2]}};
-  const Points<Rational> before = points_at(back, exact(t)).points;
+  const Points<Rational> before = points_at(back, exact(t)).rational();
   for (size_t i = 0; i < before.size(); ++i) {
     for (int k = 0; k < 3; ++k) body.positions[i][k] = nearest_float(before[i][k].get_d());
   }

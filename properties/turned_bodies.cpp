@@ -55,7 +55,7 @@ void check_spun_back(Draw& d) {
   const double t = static_cast<double>(d.integer(1, 64)) / 64;
   spin_back(body, t, false, d);
   show(d, "query", query);
-  const Points<Rational> found = points_at(body, exact(t)).points;
+  const Points<Rational> found = points_at(body, exact(t)).rational();
   for (size_t i = 0; i < places.size(); ++i) {
     Rational size = 0;
     for (int k = 0; k < 3; ++k) size += abs(exact(body.positions[i][k]));
@@ -113,7 +113,7 @@ void check_plane_beside(Draw& d) {
   const Rational kept = exact(body.radius) * root_above(dot_of(exact(normal), exact(normal)));
   plane.gap = kept + room;
   const auto highest_at = [&](const Rational& t) {
-    const Points<Rational> points = points_at(body, t).points;
+    const Points<Rational> points = points_at(body, t).rational();
     return std::max(dot_of(exact(normal), points[0]), dot_of(exact(normal), points[1]));
   };
   const Rational highest = highest_at(plane.from), highest_later = highest_at(later);

@@ -51,7 +51,7 @@ void check_clear_time(Draw& d) {
   const Rational t = rounded_down(*known.truth.clear_until * step / kSteps, power_of_two(-10));
   show(d, "t", t);
   std::array<Points<Rational>, 2> points;
-  for (size_t s = 0; s < 2; ++s) points[s] = points_at(known.query.patches[s], t).points;
+  for (size_t s = 0; s < 2; ++s) points[s] = points_at(known.query.patches[s], t).rational();
   NearestPoints nearest;
   const NearestPoints::Found& found = nearest(points[0], points[1]);
   const Rational reach =
@@ -141,7 +141,7 @@ std::array<Rational, 2> heights_at(const Query& query, const Vec3<Rational>& nor
                                    const Rational& t) {
   std::array<Rational, 2> heights;
   for (size_t s = 0; s < 2; ++s) {
-    const Points<Rational> points = points_at(query.patches[s], t).points;
+    const Points<Rational> points = points_at(query.patches[s], t).rational();
     heights[s] = dot_of(normal, points[0]);
     for (const Vec3<Rational>& p : points) {
       const Rational height = dot_of(normal, p);
@@ -166,8 +166,8 @@ PlaneBetween draw_plane_between(Draw& d, const Query& query) {
   out.plane.from = rounded_down(
       exact(query.t_max) * static_cast<long>(d.integer(0, kSteps)) / kSteps, power_of_two(-10));
   NearestPoints nearest;
-  const Vec3<Rational> way = nearest(points_at(query.patches[0], out.plane.from).points,
-                                     points_at(query.patches[1], out.plane.from).points)
+  const Vec3<Rational> way = nearest(points_at(query.patches[0], out.plane.from).rational(),
+                                     points_at(query.patches[1], out.plane.from).rational())
                                  .way;
   for (int k = 0; k < 3; ++k) {
     out.normal[k] = exact(way[k].get_d());

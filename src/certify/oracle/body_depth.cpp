@@ -11,6 +11,7 @@
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "numeric/exact_scalars.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -21,14 +22,6 @@ constexpr double kRoundings = 1 - 0x1p-50;
 
 Vec3<Dyadic> dyadic(const Vec3<double>& v) {
   return {Dyadic::exact(v[0]), Dyadic::exact(v[1]), Dyadic::exact(v[2])};
-}
-
-Vec3<Dyadic> cross(const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Dyadic dot(const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 bool is_zero(const Vec3<Dyadic>& v) {
@@ -109,34 +102,35 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
 
 /// The depth of overlap at one time, less what rounding their points could add.
 std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
-  std::array<Points<Rational>, 2> points;
+  std::array<PointsAt, 2> points;
   Rational largest = power_of_two(-1000);
   Rational reach = exact(query.separation), far = 0;
   for (size_t s = 0; s < 2; ++s) {
-    PointsAt at = points_at(query.patches[s], t);
-    points[s] = std::move(at.points);
+    const PointsAt& at = points[s] = points_at(query.patches[s], t);
     reach += exact(query.patches[s].radius);
     if (!at.are_exact) {
       far = std::max(far, exact(query.patches[s].turn->centre.cwiseAbs().maxCoeff()));
     }
-    for (const Vec3<Rational>& p : points[s]) {
-      for (int k = 0; k < 3; ++k) largest = std::max(largest, Rational(abs(p[k])));
+    Fraction own = 0;
+    for (const Vec3<Fraction>& p : at.dividends) {
+      for (int k = 0; k < 3; ++k) own = std::max({own, p[k], -p[k]});
     }
+    largest = std::max(largest, (own / at.divisor).rational());
   }
   // Each coordinate of both moves by less than the unit. points_at is off by 2^-96 of a distance
   // from a centre, at most 2 (largest + far). 2^-90 of far covers the centres' part of that.
   constexpr int kBits = 60, kTurnBits = 90;
   const Rational unit = power_below(largest) * power_of_two(-kBits);
   const double rounding = round_up(8 * unit + far * power_of_two(-kTurnBits));
+  const long step = Dyadic::from(unit)->exponent();
   std::array<Hull, 2> hulls;
   for (size_t s = 0; s < 2; ++s) {
-    for (Vec3<Rational>& p : points[s]) {
-      for (int k = 0; k < 3; ++k) p[k] = rounded_down(p[k], unit);
-      hulls[s].push_back({*Dyadic::from(p[0]), *Dyadic::from(p[1]), *Dyadic::from(p[2])});
+    for (const Vec3<Integer>& p : points[s].in_units(unit)) {
+      hulls[s].push_back({Dyadic(p[0], step), Dyadic(p[1], step), Dyadic(p[2], step)});
     }
   }
   NearestPoints nearest;
-  const Rational squared = nearest(points[0], points[1]).squared;
+  const Rational squared = nearest(rational(hulls[0]), rational(hulls[1])).squared;
   const double radii = round_down(reach) - rounding;
   if (squared > 0) return radii - round_up(root_above(squared));
   if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;

@@ -62,21 +62,20 @@ class DecidingTurning {
     std::array<Rational, 2> heights;       ///< along it: the highest of patch 1, the lowest of 2
   };
 
-  Points<Rational> rounded_points(size_t side, const Rational& t) const {
-    Points<Rational> points = points_at(query_.patches[side], t).points;
-    for (Vec3<Rational>& p : points) {
-      for (int k = 0; k < 3; ++k) p[k] = rounded_down(p[k], unit_);
-    }
-    return points;
+  /// In units.
+  std::array<Points<Integer>, 2> rounded_points(const Rational& t) const {
+    const auto of = [&](size_t side) { return points_at(query_.patches[side], t).in_units(unit_); };
+    return {of(0), of(1)};
   }
 
   Sight sight_at(const Rational& t) {
     ++out_.pops;
     Sight out{t, {}, {}};
-    const Points<Rational> first = rounded_points(0, t), second = rounded_points(1, t);
+    const std::array<Points<Integer>, 2> points = rounded_points(t);
     NearestPoints nearest;
-    const NearestPoints::Found& found = nearest(first, second);
-    if (found.squared <= reach_ * reach_) return out;
+    const NearestPoints::Found& found = nearest(points);
+    const Rational reach = reach_ / unit_;
+    if (found.squared <= reach * reach) return out;
     constexpr int kBits = 56;
     // The way is scaled exactly, since its square need not be within the range of doubles.
     const Rational size = power_below(abs(found.way[0]) + abs(found.way[1]) + abs(found.way[2]));
@@ -86,19 +85,22 @@ class DecidingTurning {
       const double part = Rational(found.way[k] / size).get_d() / length;
       normal[k] = exact(std::ldexp(std::round(std::ldexp(part, kBits)), -kBits));
     }
-    look_along(normal, first, second, out);
+    look_along(normal, points, out);
     return out;
   }
 
-  static void look_along(const Vec3<Rational>& normal, const Points<Rational>& first,
-                         const Points<Rational>& second, Sight& out) {
-    out.heights = {dot_of(normal, first[0]), dot_of(normal, second[0])};
-    for (const Vec3<Rational>& p : first) {
-      out.heights[0] = std::max(out.heights[0], dot_of(normal, p));
-    }
-    for (const Vec3<Rational>& p : second) {
-      out.heights[1] = std::min(out.heights[1], dot_of(normal, p));
-    }
+  void look_along(const Vec3<Rational>& normal, const std::array<Points<Integer>, 2>& points,
+                  Sight& out) const {
+    const std::array<Fraction, 3> along = {normal[0], normal[1], normal[2]};
+    const auto height = [&](const Vec3<Integer>& p) {
+      Fraction sum = 0;
+      for (size_t k = 0; k < 3; ++k) sum += along[k] * Dyadic(p[static_cast<int>(k)], 0);
+      return sum;
+    };
+    Fraction highest = height(points[0][0]), lowest = height(points[1][0]);
+    for (const Vec3<Integer>& p : points[0]) highest = std::max(highest, height(p));
+    for (const Vec3<Integer>& p : points[1]) lowest = std::min(lowest, height(p));
+    out.heights = {highest.rational() * unit_, lowest.rational() * unit_};
     out.normal = normal;
   }
 
@@ -106,7 +108,7 @@ class DecidingTurning {
   Sight seen_along(const Rational& t) const {
     const auto& [x, y, z] = *options_.apart_along;
     Sight out{t, {}, {}};
-    look_along({x, y, z}, rounded_points(0, t), rounded_points(1, t), out);
+    look_along({x, y, z}, rounded_points(t), out);
     return out;
   }
 
@@ -196,7 +198,11 @@ class DecidingTurning {
   /// Proof that bodies of which one spins are in contact: of their nearest points, or, where hulls
   /// overlap, of a point inside of one of them.
   std::optional<Witness> witness_of_spin(const Rational& t) const {
-    const std::array points = {rounded_points(0, t), rounded_points(1, t)};
+    const std::array<Points<Integer>, 2> in_units = rounded_points(t);
+    std::array<Points<Rational>, 2> points;
+    for (const size_t s : {size_t{0}, size_t{1}}) {
+      for (const Vec3<Integer>& p : in_units[s]) points[s].push_back(p.cast<Rational>());
+    }
     for (const size_t smaller : {size_t{2}, size_t{0}, size_t{1}}) {
       std::array<Points<Rational>, 2> tried = points;
       const Rational part = power_of_two(-kInsideBits);
@@ -238,7 +244,7 @@ class DecidingTurning {
       const PointsAt first = points_at(query_.patches[0], t),
                      second = points_at(query_.patches[1], t);
       NearestPoints nearest;
-      const NearestPoints::Found& found = nearest(first.points, second.points);
+      const NearestPoints::Found& found = nearest(first.rational(), second.rational());
       const bool is_proven = first.are_exact && second.are_exact && 0 <= t && t <= t_max_ &&
                              found.squared <= reach_ * reach_;
       if (is_proven) witness_ = Witness{t, {}, found.weights};

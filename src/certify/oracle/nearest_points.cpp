@@ -42,13 +42,6 @@ size_t support(const Points<Integer>& points, const Vec3<Integer>& direction, in
 
 }  // namespace
 
-Points<Integer> NearestPoints::scaled(const Points<Rational>& points) const {
-  Points<Integer> out;
-  out.reserve(points.size());
-  for (const Vec3<Rational>& p : points) out.push_back(scaled_by(scale_, p));
-  return out;
-}
-
 /// With d_k = ways[k] − ways[0] of the parts, the least vector of the form base + Σ c_k d_k, which
 /// is at right angles to all d_k: 1 − Σ c_k, and c_k. With ways[0] as base they are the weights of
 /// the least vector in the ways' affine span.
@@ -130,19 +123,28 @@ void NearestPoints::settle() {
 
 const NearestPoints::Found& NearestPoints::operator()(const Points<Rational>& from,
                                                       const Points<Rational>& to) {
-  if (found_.weights[0].size() != from.size() || found_.weights[1].size() != to.size()) {
+  Integer scale = 1;
+  for (const Points<Rational>* points : {&from, &to}) {
+    for (const Vec3<Rational>& p : *points) add_denominators(p, scale);
+  }
+  std::array<Points<Integer>, 2> scaled;
+  for (const Vec3<Rational>& p : from) scaled[0].push_back(scaled_by(scale, p));
+  for (const Vec3<Rational>& p : to) scaled[1].push_back(scaled_by(scale, p));
+  return (*this)(scaled, scale);
+}
+
+const NearestPoints::Found& NearestPoints::operator()(const std::array<Points<Integer>, 2>& points,
+                                                      const Integer& scale) {
+  if (found_.weights[0].size() != points[0].size() ||
+      found_.weights[1].size() != points[1].size()) {
     differences_ = {{{0, 0}, {}, 1}};
     total_ = 1;
   }
-  scale_ = 1;
-  for (const Vec3<Rational>& p : from) add_denominators(p, scale_);
-  for (const Vec3<Rational>& p : to) add_denominators(p, scale_);
-  const std::array<Points<Integer>, 2> points = {scaled(from), scaled(to)};
   const auto way_between = [&](const std::array<size_t, 2>& places) -> Vec3<Integer> {
     return points[1][places[1]] - points[0][places[0]];
   };
   for (Difference& difference : differences_) difference.way = way_between(difference.places);
-  Vec3<Integer> way;  // times scale_ and total_
+  Vec3<Integer> way;  // times the scale and total_
   Integer squared;
   for (;;) {
     settle();
@@ -155,7 +157,7 @@ const NearestPoints::Found& NearestPoints::operator()(const Points<Rational>& fr
     if (total_ * dot_of(least, way) >= squared) break;
     differences_.push_back({places, std::move(least), 0});
   }
-  const Integer whole = scale_ * total_;
+  const Integer whole = scale * total_;
   for (int k = 0; k < 3; ++k) found_.way[k] = fraction(way[k], whole);
   found_.squared = fraction(squared, Integer(whole * whole));
   for (size_t s = 0; s < 2; ++s) found_.weights[s].assign(points[s].size(), 0);

@@ -24,6 +24,8 @@ class NearestPoints {
   /// Requires a point of each. The next call begins where this one ended, if there are as many. It
   /// may be about hulls that were moved, and not about hulls that were turned.
   const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
+  /// The same of points that are these over the scale, a number > 0.
+  const Found& operator()(const std::array<Points<Integer>, 2>& points, const Integer& scale = 1);
 
   /// How fast the way last found changes where the second hull moves by a velocity. Its ends must
   /// stay on the same vertices, edges or faces. It is the difference of the velocity at right
@@ -31,7 +33,7 @@ class NearestPoints {
   Vec3<Rational> rate_of_way(const Vec3<Rational>& velocity) const;
 
  private:
-  /// A difference to[places[1]] − from[places[0]] times scale_, and its weight times total_.
+  /// A difference to[places[1]] − from[places[0]], and its weight times total_.
   struct Difference {
     std::array<size_t, 2> places;
     Vec3<Integer> way;
@@ -43,13 +45,12 @@ class NearestPoints {
     Integer total;
   };
 
-  Points<Integer> scaled(const Points<Rational>& points) const;
   void settle();
   Shares least_from(const Vec3<Integer>& base) const;
 
   // Integers with common denominators, as fractions would be reduced after each operation.
   std::vector<Difference> differences_;
-  Integer scale_, total_;
+  Integer total_;
   Found found_;
 };
 
