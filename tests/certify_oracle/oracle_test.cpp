@@ -222,5 +222,21 @@ TEST(Oracle, LeavesUndecidedWhatTakesTheCheckerTooLong) {
   EXPECT_NE(decision.note.find("exceeds the work budget"), std::string::npos) << decision.note;
 }
 
+TEST(Oracle, LeavesUndecidedBodiesWhosePlanesTakeTheCheckerTooLong) {
+  Query query;
+  for (int s = 0; s < 2; ++s) {
+    MovingPatch<double>& body = query.patches[static_cast<size_t>(s)];
+    for (int i = 0; i < 81; ++i) body.positions.emplace_back(i % 3, i / 3 % 3 + 8 * s, i / 9 - 4);
+    body.velocities = {{0, -16.0 * s, 0}};
+    body.shape = Shape::hull(81);
+    // Ways from such a centre have a thousand bits.
+    body.turn = BodyTurn{{}, {}, {0x3p-1060, 0x1p-1070, 0x5p-1050}, {0.25, 0.5, 0.125}};
+  }
+  const Decision decision = decide(query);
+  EXPECT_FALSE(decision.truth.collides);
+  EXPECT_FALSE(decision.truth.clearance);
+  EXPECT_NE(decision.note.find("exceeds the work budget"), std::string::npos) << decision.note;
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -6,6 +6,7 @@
 
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
+#include "certify/checker/work_done.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
@@ -44,6 +45,11 @@ class DecidingTurning {
       out_.truth.collides = false;
     } else {
       approach();
+    }
+    if (spent_ > kMostWork) {
+      out_.truth = {};
+      out_.note = check_body_planes(query_, planes_).error().message();
+      return std::move(out_);
     }
     Truth& truth = out_.truth;
     if (!planes_.planes.empty()) {
@@ -131,7 +137,9 @@ class DecidingTurning {
       for (int k = 0; k < 3; ++k) plane.normals[end][static_cast<size_t>(k)] = (*at.normal)[k];
       plane.offsets[end] = rounded_down(at.heights[0] + (spare(at) - some - grid) / 2, grid);
     }
+    const std::uint64_t before = work_done_here();
     if (!check_body_plane(query_, plane, there.t)) return false;
+    spent_ += work_done_here() - before;
     planes_.planes.push_back(std::move(plane));
     planes_.until = there.t;
     return true;
@@ -258,7 +266,8 @@ class DecidingTurning {
   const OracleOptions& options_;
   const Rational t_max_;
   Rational reach_, unit_;
-  BodyPlanes planes_;
+  BodyPlanes planes_;             ///< each was accepted by the checker
+  std::uint64_t spent_ = 0;       ///< what it takes to check them all
   std::optional<Rational> late_;  ///< at this time they seem to be in contact
   std::optional<Witness> witness_;
   Decision out_;

@@ -188,9 +188,11 @@ Decision decide(const Query& query, const OracleOptions& options) {
                          : linear::is_linear(query) && query.separation == 0 && !is_trimmed(query)
                              ? decide_linear(query, options)
                              : Deciding(query, options).run();
-  // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
+  // Nothing leaves the oracle that the checker does not accept, or that takes it too long. Planes
+  // between bodies it accepted one by one, as they were found.
   Result<void> checked = check_truth({query, found.truth, {}, {}});
-  if (checked && found.truth.clearance) {
+  if (checked && found.truth.clearance &&
+      !std::holds_alternative<BodyPlanes>(*found.truth.clearance)) {
     checked = check_clearance(query, *found.truth.clearance, found.tree);
   }
   if (checked) return found;

@@ -13,8 +13,8 @@ std::vector<Fraction> quaternion_at(const std::vector<double>& spin, const Fract
   constexpr int kSquarings = 16;
   constexpr long kBits = 160;
   const Dyadic unit(1, -kBits);
-  const auto rounded = [&](const Fraction& x) -> Fraction {
-    return Dyadic(floor_of_ratio(x, unit), -kBits);
+  const auto rounded = [&](const Fraction& x, int divisor = 1) -> Fraction {
+    return Dyadic(floor_of_ratio(x, divisor * unit), -kBits);
   };
   const Fraction part = t * Dyadic(1, -kSquarings - 1);
   Vec3<Fraction> u;
@@ -25,9 +25,9 @@ std::vector<Fraction> quaternion_at(const std::vector<double>& spin, const Fract
   }
   Fraction w = 1, sine = 1, term = 1;
   for (int n = 1; n <= 5; ++n) {
-    term = rounded(-term * x / (2 * n * (2 * n - 1)));
+    term = rounded(-term * x, 2 * n * (2 * n - 1));
     w += term;
-    sine += rounded(term / (2 * n + 1));
+    sine += rounded(term, 2 * n + 1);
   }
   for (int k = 0; k < 3; ++k) u[k] = u[k] * sine;
   for (int i = 0; i < kSquarings; ++i) {
