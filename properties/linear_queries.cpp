@@ -261,7 +261,7 @@ std::function<void(Draw&)> misses_nothing_linear(std::string method, SearchOptio
 }
 
 std::vector<Property> linear_queries_claims() {
-  constexpr auto kDerivation = "src/ccd/certified/DERIVATION.md";
+  constexpr auto kDerivation = "src/ccd/certified/DERIVATION.md, 7";
   return {
       {"linear.decision_is_proven",
        "Degenerate linear queries are decided, and the independent checker accepts the decision",

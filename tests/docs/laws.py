@@ -1,4 +1,4 @@
-"""Every numbered law has a line of code that cites it, and a test of its name.
+"""Every numbered law has a line of code that cites it, and a test of its name. No comment cites another.
 
 A law is declared in a DERIVATION.md ("- **L3. Roots.** ...") or in a header ("/// Law R1: ...").
 A line cites it by a comment that is none of a declaration ("// Law L3"), in a source of the same folder.
@@ -46,6 +46,11 @@ for source in (ROOT / "properties").glob("*.cpp"):
 failures = count = 0
 for folder in sorted(path.parent for path in (ROOT / "src").rglob("DERIVATION.md")):
     lines = cited(folder)
+    for source in sorted(folder.glob("*.?pp")):
+        for some in re.findall(NAMED, source.read_text()):
+            for law in set(re.findall(LAW, some)) - declared(folder):
+                failures += 1
+                print(f"{source.relative_to(ROOT)}: cites Law {law}, which there is not", file=sys.stderr)
     for law in sorted(declared(folder), key=lambda name: (name[0], int(name[1:] or 0))):
         count += 1
         print(f"{folder.relative_to(ROOT)}: {law}: {', '.join(lines[law])}")

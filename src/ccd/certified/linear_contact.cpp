@@ -226,8 +226,8 @@ void ContactSearch::try_roots(const TimePolynomial& p) {
 LinearContact first_linear_contact(const Query& query, int level) {
   if (level <= kShortLevel) {
     if (const auto answer = short_contact(query)) {
-      if (!answer->touch) return {Kind::kNone, 0};
-      return {Kind::kProven, time_below(answer->share, query.t_max)};
+      if (!answer->touch) return {Kind::kNone, 0, true};
+      return {Kind::kProven, time_below(answer->share, query.t_max), true};
     }
   }
   LongPolygon polygon;

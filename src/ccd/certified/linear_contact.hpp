@@ -16,6 +16,7 @@ struct LinearContact {
   };
   Kind kind = Kind::kTooWide;
   double toi = 0;
+  bool is_short = false;  ///< short_contact decided
 };
 
 /// Decides a linear query in integers, without rounding and without allocating (DERIVATION.md, 7).

@@ -61,7 +61,8 @@ certified::Tiers TdibmC::tiers() const {
   certified::Tiers all = split_.tiers();
   all.advancement = linear_.advancement;
   all.doubles = linear_.doubles;
-  all.integers = linear_.integers;
+  all.short_integers = linear_.short_integers;
+  all.long_integers = linear_.long_integers;
   return all;
 }
 
@@ -103,10 +104,10 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
     return hit(std::max(rough.time, advanced.time), 0);
   }
 
-  ++linear_.integers;
   using Kind = certified::LinearContact::Kind;
   const certified::LinearContact contact =
       certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
+  ++(contact.is_short ? linear_.short_integers : linear_.long_integers);
   if (contact.kind == Kind::kNone) {
     answer.verdict = Verdict::kMiss;
     return answer;
