@@ -3,6 +3,7 @@
 #include "ccd/axes.hpp"
 #include "ccd/projection.hpp"
 #include "generators/draw_patch.hpp"
+#include "numeric/exact_scalars.hpp"
 #include "numeric/products.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/property.hpp"
@@ -40,10 +41,6 @@ Points<double> draw_full_points(Draw& choices, const Shape& shape) {
   return points;
 }
 
-Vec3<Dyadic> exact_vector(const Vec3<double>& p) {
-  return {Dyadic::exact(p[0]), Dyadic::exact(p[1]), Dyadic::exact(p[2])};
-}
-
 Shape draw_surface(Draw& choices, int max_degree) {
   const auto n = static_cast<int>(choices.integer(1, max_degree));
   if (!choices.coin()) return Shape::triangle(n);
@@ -60,7 +57,7 @@ void check_sub_patch_error(Draw& d) {
   Points<double> rounded(points.size());
   restrict_to<double>(shape, points, corners, rounded);
   Points<Dyadic> whole, exact(points.size());
-  for (const Vec3<double>& p : points) whole.push_back(exact_vector(p));
+  for (const Vec3<double>& p : points) whole.push_back(exact_dyadic(p));
   restrict_to<Dyadic>(shape, whole, exact_corners<Dyadic>(corners), exact);
   const Dyadic largest = Dyadic::exact(largest_components_of({shape, points, points}).position);
   const bool triangle = shape.kind == ShapeKind::kTriangle;
@@ -134,7 +131,7 @@ void check_coefficient_error(Draw& d) {
   const auto r = static_cast<int>(d.integer(0, ObbAxes::kCount - 1));
   const Axis axis = axes[r];
   const Vec3<Dyadic> direction =
-      exact_vector({axis.direction[0], axis.direction[1], axis.direction[2]});
+      exact_dyadic({axis.direction[0], axis.direction[1], axis.direction[2]});
   const CoefficientError bound =
       coefficient_error(patches[0].shape, largest_components_of(patches[0]), axis);
   const MovingPatch<Dyadic> exact =

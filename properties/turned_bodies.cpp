@@ -8,6 +8,7 @@
 #include "certify/oracle/turned_points.hpp"
 #include "generators/generate.hpp"
 #include "generators/turning.hpp"
+#include "numeric/products.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -110,11 +111,11 @@ void check_plane_beside(Draw& d) {
   show(d, "query", query);
   // In 2^-24 of the step no point goes so far.
   const Rational room = power_of_two(-10);
-  const Rational kept = exact(body.radius) * root_above(dot_of(exact(normal), exact(normal)));
+  const Rational kept = exact(body.radius) * root_above(dot(exact(normal), exact(normal)));
   plane.gap = kept + room;
   const auto highest_at = [&](const Rational& t) {
     const Points<Rational> points = points_at(body, t).rational();
-    return std::max(dot_of(exact(normal), points[0]), dot_of(exact(normal), points[1]));
+    return std::max(dot(exact(normal), points[0]), dot(exact(normal), points[1]));
   };
   const Rational highest = highest_at(plane.from), highest_later = highest_at(later);
   const auto is_accepted = [&](const Rational& offset, const Rational& until) {
@@ -155,13 +156,13 @@ void check_ball_within(Draw& d) {
     const Vec3<Rational>&a = corners[(i + 1) % 4], &b = corners[(i + 2) % 4];
     const Vec3<Rational> normal =
         cross(Vec3<Rational>(b - a), Vec3<Rational>(corners[(i + 3) % 4] - a));
-    suppose(dot_of(normal, Vec3<Rational>(corners[i] - a)) != 0);
-    const Rational height = dot_of(normal, Vec3<Rational>(inside - a));
-    const Rational squared = height * height / dot_of(normal, normal);
+    suppose(dot(normal, Vec3<Rational>(corners[i] - a)) != 0);
+    const Rational height = dot(normal, Vec3<Rational>(inside - a));
+    const Rational squared = height * height / dot(normal, normal);
     nearest = nearest ? std::min(*nearest, squared) : squared;
   }
   const Vec3<Rational> way = exact(place) - inside;
-  const Rational squared = dot_of(way, way);
+  const Rational squared = dot(way, way);
   const bool is_accepted = check_body_contact(query, witness).has_value();
   CLAIM(squared <= *nearest || !is_accepted);
   CLAIM(squared > *nearest * (1 - power_of_two(-20)) || is_accepted);

@@ -8,6 +8,7 @@
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "generators/generate.hpp"
+#include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -142,9 +143,9 @@ std::array<Rational, 2> heights_at(const Query& query, const Vec3<Rational>& nor
   std::array<Rational, 2> heights;
   for (size_t s = 0; s < 2; ++s) {
     const Points<Rational> points = points_at(query.patches[s], t).rational();
-    heights[s] = dot_of(normal, points[0]);
+    heights[s] = dot(normal, points[0]);
     for (const Vec3<Rational>& p : points) {
-      const Rational height = dot_of(normal, p);
+      const Rational height = dot(normal, p);
       if (s == 0 ? height > heights[s] : height < heights[s]) heights[s] = height;
     }
   }
@@ -175,7 +176,7 @@ PlaneBetween draw_plane_between(Draw& d, const Query& query) {
     for (auto& end : out.plane.normals) end[static_cast<size_t>(k)] = out.normal[k];
   }
   const Rational reach = exact(query.patches[0].radius) + exact(query.patches[1].radius);
-  out.kept = reach * root_above(dot_of(out.normal, out.normal));
+  out.kept = reach * root_above(dot(out.normal, out.normal));
   return out;
 }
 

@@ -8,6 +8,8 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/trim_region.hpp"
 #include "case/mesh.hpp"
+#include "numeric/exact_scalars.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -66,12 +68,8 @@ Rational squared_distance(const Query& query, const std::array<Uv<Rational>, 2>&
   for (size_t side = 0; side < 2; ++side) {
     points[side] = evaluate<Rational>(exact_patch<Rational>(query.patches[side]), uv[side], t);
   }
-  Rational squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Rational d = points[0][k] - points[1][k];
-    squared += d * d;
-  }
-  return squared;
+  const Vec3<Rational> way = points[0] - points[1];
+  return dot(way, way);
 }
 
 /// Whether the two points that a hit names are at most so far apart at its toi.
@@ -98,23 +96,18 @@ Rational far_apart(const Query& query, double tolerance) {
 /// Whether the direction that keeps two bodies apart shows them that far from each other at t.
 bool are_far(const Query& query, const BodyClearance& clearance, const Rational& t,
              double tolerance) {
-  const auto height = [&](const Vec3<Rational>& p) {
-    Rational sum = 0;
-    for (int k = 0; k < 3; ++k) sum += clearance.normal[static_cast<size_t>(k)] * p[k];
-    return sum;
-  };
+  const auto& n = clearance.normal;
+  const Vec3<Rational> normal(n[0], n[1], n[2]);
   std::array<std::vector<Rational>, 2> heights;
   for (size_t s = 0; s < 2; ++s) {
     for (const Vec3<Rational>& p : exact_patch<Rational>(query.patches[s]).at(t)) {
-      heights[s].push_back(height(p));
+      heights[s].push_back(dot(normal, p));
     }
   }
-  Rational squared = 0;
-  for (const Rational& x : clearance.normal) squared += x * x;
   const Rational gap =
       *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]);
   const Rational least = far_apart(query, tolerance);
-  return gap > 0 && gap * gap > least * least * squared;
+  return gap > 0 && gap * gap > least * least * dot(normal, normal);
 }
 
 /// The same of each face of a mesh that is there.
@@ -134,14 +127,13 @@ bool are_far(const Query& query, const BodyPlanes& clearance, const Rational& t,
   const Rational until = next == clearance.planes.end() ? clearance.until : next->from;
   const Rational share =
       until == plane.from ? Rational(0) : Rational((t - plane.from) / (until - plane.from));
-  Rational squared = 0;
+  Vec3<Rational> normal;
   for (size_t k = 0; k < 3; ++k) {
     const Rational& from = plane.normals[0][k];
-    const Rational x = from + share * (plane.normals[1][k] - from);
-    squared += x * x;
+    normal[k] = from + share * (plane.normals[1][k] - from);
   }
   const Rational least = far_apart(query, tolerance);
-  return plane.gap * plane.gap > least * least * squared;
+  return plane.gap * plane.gap > least * least * dot(normal, normal);
 }
 
 /// Whether what proves that two bodies do not touch shows them that far from each other at t.

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "base/double_parts.hpp"
-#include "numeric/dyadic.hpp"
+#include "numeric/exact_scalars.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -67,19 +68,14 @@ bool has_mesh(const Query& query) {
 std::vector<size_t> faces_there(const Query& query) {
   const size_t side = mesh_side(query);
   const MovingPatch<double>&mesh = query.patches[side], &other = query.patches[1 - side];
-  const auto dyadic = [](const Vec3<double>& p) {
-    return Vec3<Dyadic>(Dyadic::exact(p[0]), Dyadic::exact(p[1]), Dyadic::exact(p[2]));
-  };
-  const Vec3<Dyadic> way = dyadic(other.velocities[0]) - dyadic(mesh.velocities[0]);
+  const Vec3<Dyadic> way = exact_dyadic(other.velocities[0]) - exact_dyadic(mesh.velocities[0]);
   std::vector<size_t> there;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto corner = [&](size_t i) {
-      return dyadic(mesh.positions[static_cast<size_t>(mesh.faces[f][i])]);
+      return exact_dyadic(mesh.positions[static_cast<size_t>(mesh.faces[f][i])]);
     };
     const Vec3<Dyadic> a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
-    const Dyadic height = (ab[1] * ac[2] - ab[2] * ac[1]) * way[0] +
-                          (ab[2] * ac[0] - ab[0] * ac[2]) * way[1] +
-                          (ab[0] * ac[1] - ab[1] * ac[0]) * way[2];
+    const Dyadic height = dot(cross(ab, ac), way);
     if (!mesh.one_sided || height.sign() < 0) there.push_back(f);
   }
   return there;

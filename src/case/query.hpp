@@ -49,12 +49,26 @@ void for_each_turn_number(Patch& patch, const Visit& visit) {
   }
 }
 
-/// Calls visit on both parameters of each vertex of a patch's loops.
+/// Calls visit on each number of a patch: those, its weights, and the vertices of its loops.
 template <class Patch, class Visit>
-void for_each_vertex(Patch& patch, const Visit& visit) {
+void for_each_number(Patch& patch, const Visit& visit) {
+  for_each_coordinate(patch, visit);
+  for_each_turn_number(patch, visit);
+  for (auto& w : patch.weights) visit(w);
   for (auto& loop : patch.trim) {
     for (auto& vertex : loop) visit(vertex[0]), visit(vertex[1]);
   }
+}
+
+/// The same of both patches of a query, t_max and the separation.
+template <class Whole, class Visit>
+requires requires(Whole& query) {
+  query.patches;
+}
+void for_each_number(Whole& query, const Visit& visit) {
+  for (auto& patch : query.patches) for_each_number(patch, visit);
+  visit(query.t_max);
+  visit(query.separation);
 }
 
 /// True iff both patches are hulls, as of a valid query one is only if both are.

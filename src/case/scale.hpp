@@ -21,36 +21,26 @@ inline double largest_coordinate(const Query& query) {
                   largest_coordinate(query.patches[1].positions));
 }
 
-/// True iff every coordinate, velocity and weight of a query, t_max and the separation is 0 or of a
-/// magnitude in [2^-bits, 2^bits]. Where bits are few, neither under- nor overflow explains a
-/// failure.
+/// True iff good(x) for each number x of a query.
+template <class Good>
+bool are_all(const Query& query, const Good& good) {
+  bool all = true;
+  for_each_number(query, [&](double x) { all = all && good(x); });
+  return all;
+}
+
+/// True iff every number of a query is 0 or of a magnitude in [2^-bits, 2^bits]. Where bits are
+/// few, neither under- nor overflow explains a failure.
 inline bool is_within_scale(const Query& query, int bits) {
   const double least = std::ldexp(1.0, -bits), most = std::ldexp(1.0, bits);
-  const auto fits = [&](double x) {
-    return x == 0 || (std::abs(x) >= least && std::abs(x) <= most);
-  };
-  bool all_fit = fits(query.t_max) && fits(query.separation);
-  for (const MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double x) { all_fit = all_fit && fits(x); });
-    for (const double w : patch.weights) all_fit = all_fit && fits(w);
-    for_each_turn_number(patch, [&](double x) { all_fit = all_fit && fits(x); });
-    for_each_vertex(patch, [&](double x) { all_fit = all_fit && fits(x); });
-  }
-  return all_fit;
+  return are_all(query,
+                 [&](double x) { return x == 0 || (std::abs(x) >= least && std::abs(x) <= most); });
 }
 
 /// True iff each number of the query is a finite float (binary32), as engines have them.
 inline bool is_binary32(const Query& query) {
-  const auto is_float = [](double x) {
-    return std::abs(x) <= 0x1.fffffep127 && nearest_float(x) == x;
-  };
-  bool all_are = is_float(query.t_max) && is_float(query.separation);
-  for (const MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double x) { all_are = all_are && is_float(x); });
-    for_each_turn_number(patch, [&](double x) { all_are = all_are && is_float(x); });
-    for_each_vertex(patch, [&](double x) { all_are = all_are && is_float(x); });
-  }
-  return all_are;
+  return are_all(query,
+                 [](double x) { return std::abs(x) <= 0x1.fffffep127 && nearest_float(x) == x; });
 }
 
 /// True iff two bodies lie and move in the plane z = 0, as those of 2-D engines do.

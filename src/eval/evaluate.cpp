@@ -34,9 +34,7 @@ GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
   given.verdict = answer.verdict;
   if (answer.has_toi()) given.toi = answer.toi;
   given.outcome = judged.outcome;
-  given.pops = answer.pops;
-  given.bytes = answer.bytes;
-  given.seconds = answer.seconds;
+  given.cost = answer;
   return given;
 }
 

@@ -40,12 +40,8 @@ void Rows::add(const EvaluatedCase& evaluated) {
       methods_.push_back(given.method);
     }
     const RowKey key{evaluated.contact, evaluated.kind, given.factor, given.method};
-    Answer answer;
-    answer.pops = given.pops;
-    answer.bytes = given.bytes;
-    answer.seconds = given.seconds;
     rows_.try_emplace(order_of(key), Row{key, {}})
-        .first->second.tally.add(answer, given.outcome, evaluated.collides);
+        .first->second.tally.add(given.cost, given.outcome, evaluated.collides);
   }
 }
 

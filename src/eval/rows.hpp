@@ -20,9 +20,7 @@ struct GivenAnswer {
   Verdict verdict = Verdict::kUndecided;
   std::optional<double> toi;  ///< absent after a miss
   Outcome outcome = Outcome::kUnknown;
-  std::uint64_t pops = 0;
-  std::uint64_t bytes = 0;
-  double seconds = 0;
+  Cost cost;
 
   static void fields(auto& archive, auto& answer) {
     archive("t_max_factor", answer.factor);
@@ -31,9 +29,7 @@ struct GivenAnswer {
     archive("verdict", answer.verdict);
     archive("toi", answer.toi);
     archive("outcome", answer.outcome);
-    archive("pops", answer.pops);
-    archive("bytes", answer.bytes);
-    archive("seconds", answer.seconds);
+    Cost::fields(archive, answer.cost);
   }
 
   friend bool operator==(const GivenAnswer&, const GivenAnswer&) = default;

@@ -31,14 +31,14 @@ struct Tally {
     }
   }
 
-  void add(const Answer& answer, Outcome outcome, std::optional<bool> collides) {
+  void add(const Cost& cost, Outcome outcome, std::optional<bool> collides) {
     ++by_outcome[static_cast<size_t>(outcome)];
     if (outcome == Outcome::kNotAsked) return;
     ++n;
     if (collides) ++(*collides ? positives : negatives);
-    pops += answer.pops;
-    seconds.add(answer.seconds);
-    bytes.add(static_cast<double>(answer.bytes));
+    pops += cost.pops;
+    seconds.add(cost.seconds);
+    bytes.add(static_cast<double>(cost.bytes));
   }
   void merge(const Tally& other) {
     n += other.n;

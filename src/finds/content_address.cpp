@@ -70,12 +70,7 @@ CaseSize size_of(const Query& query) {
     lowest = std::min(lowest, parts.top());
     highest = std::max(highest, parts.top());
   };
-  for (const MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, count);
-    for (const double w : patch.weights) count(w);
-    for_each_turn_number(patch, count);
-    for_each_vertex(patch, count);
-  }
+  for (const MovingPatch<double>& patch : query.patches) for_each_number(patch, count);
   count_bits(parts_of(query.t_max));
   count_bits(parts_of(query.separation));
   if (lowest <= highest) size.exponent_spread = highest - lowest;

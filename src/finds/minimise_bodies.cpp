@@ -159,16 +159,6 @@ class BodyMinimiser {
     }
   }
 
-  template <class Visit>
-  static void for_each_number(Query& query, const Visit& visit) {
-    for (MovingPatch<double>& hull : query.patches) {
-      for_each_coordinate(hull, visit);
-      for_each_turn_number(hull, visit);
-    }
-    visit(query.t_max);
-    visit(query.separation);
-  }
-
   Outcome failure_;
   const std::function<bool(const Case&)>& still_fails_;
   const MinimiseOptions& options_;

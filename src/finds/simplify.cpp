@@ -193,10 +193,7 @@ void offer_units(const Contact& q, const Offer& offer) {
     const Vec3<double> by = array(next.query.patches[0])[0];
     bool exact = true;
     for (MovingPatch<double>& patch : next.query.patches) {
-      for (Vec3<double>& p : array(patch)) {
-        exact = exact && add_exactly(p, {-Dyadic::exact(by[0]), -Dyadic::exact(by[1]),
-                                         -Dyadic::exact(by[2])});
-      }
+      for (Vec3<double>& p : array(patch)) exact = exact && add_exactly(p, -exact_dyadic(by));
     }
     if (exact) offer(next);
   }

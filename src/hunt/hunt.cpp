@@ -209,7 +209,8 @@ class Hunt {
     Case find = asked;
     find.asked = asked_with(options_.search);
     find.expect = {{method, asker.expected(method, asked, judged)}};
-    done.failures.emplace_back(failures_of(find).front(), std::move(find));
+    const Failure failure = failure_of(find, method, find.expect.at(method));
+    done.failures.emplace_back(failure, std::move(find));
     done.cpu_seconds += thread_cpu_seconds() - begin;
   }
 

@@ -6,6 +6,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -32,15 +33,11 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
   const auto &first = query.patches[0].velocities[0], &second = query.patches[1].velocities[0];
   if (may_graze) tolerance += answer.terms.time_tolerance * (first - second).norm();
   // Moved back by so much, they would not touch: no overlap is deeper than the way.
-  Rational squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Rational x = exact(first[k]) - exact(second[k]);
-    squared += x * x;
-  }
+  const Vec3<Rational> way = exact(first) - exact(second);
   const Rational overlooked =
       outcome == Outcome::kLate ? exact(*answer.toi) - *known.contact_by() : exact(query.t_max);
   const Rational most = exact(tolerance);
-  if (!has_turns(query) && squared * overlooked * overlooked <= most * most) {
+  if (!has_turns(query) && dot(way, way) * overlooked * overlooked <= most * most) {
     return Outcome::kCorrect;
   }
   const std::optional<double> depth =

@@ -45,6 +45,10 @@ inline Vec3<Rational> exact(const Vec3<double>& v) {
   return {exact(v[0]), exact(v[1]), exact(v[2])};
 }
 
+inline Vec3<Dyadic> exact_dyadic(const Vec3<double>& v) {
+  return {Dyadic::exact(v[0]), Dyadic::exact(v[1]), Dyadic::exact(v[2])};
+}
+
 /// S is the number type of an exact or double computation; this is the only way a double enters.
 template <class S>
 S from_double(double x);

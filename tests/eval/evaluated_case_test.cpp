@@ -21,9 +21,9 @@ EvaluatedCase some_case() {
   given.verdict = Verdict::kHit;
   given.toi = std::nextafter(0.1, 0);
   given.outcome = Outcome::kCorrect;
-  given.pops = 17;
-  given.bytes = 4096;
-  given.seconds = 1.25e-6;
+  given.cost.pops = 17;
+  given.cost.bytes = 4096;
+  given.cost.seconds = 1.25e-6;
   return one;
 }
 
@@ -49,7 +49,7 @@ RC_GTEST_PROP(EvaluatedCase, EveryDoubleReadsBackAsItself, (double x, std::uint6
   EvaluatedCase one = some_case();
   one.answers[0].t_max = x;
   one.answers[0].toi = std::ldexp(x, -900);
-  one.answers[0].pops = n;
+  one.answers[0].cost.pops = n;
   RC_ASSERT(from_json<EvaluatedCase>(to_json(one), "here").value() == one);
 }
 

@@ -52,6 +52,23 @@ double share_used(const HuntGround& ground, const Features& features = {}) {
   return used / all;
 }
 
+TEST(Ground, FloatsAreWeightsAndLoopsToo) {
+  HuntGround ground;
+  ground.binary32 = true;
+  Case value;
+  for (MovingPatch<double>& patch : value.query.patches) {
+    patch = {Shape::curve(2), Points<double>(3, {1, 0, 0}), Points<double>(3, {0, 1, 0})};
+    patch.weights = {1, 0.5, 1};
+  }
+  EXPECT_TRUE(ground.has(value));
+  value.query.patches[1].weights[1] = 0.1;
+  EXPECT_FALSE(ground.has(value));
+  value.query.patches[1] = {Shape::triangle(1), Points<double>(3, {0, 0, 1}),
+                            Points<double>(3, {0, 1, 0})};
+  value.query.patches[1].trim = {{{0, 0}, {0, 0.1}, {0.5, 0}}};
+  EXPECT_FALSE(ground.has(value));
+}
+
 TEST(Ground, DrawsAreMadeOnItRatherThanDiscarded) {
   EXPECT_GE(share_used(ground_of_an_engine()), 0.95);
   EXPECT_GE(share_used(ground_of_features()), 0.8);

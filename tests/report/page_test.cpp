@@ -188,7 +188,7 @@ TEST(ReportRows, AreSummedUpAndFailuresAreKept) {
       GivenAnswer& given = one.answers.emplace_back();
       given.method = method;
       given.outcome = outcome;
-      given.seconds = .5;
+      given.cost.seconds = .5;
     }
     rows.add(one, meeting("VV"), 1e-4);
   };

@@ -20,10 +20,6 @@ namespace {
 /// Makes up for three products, quotients or roots of doubles and a sum, each rounded once.
 constexpr double kRoundings = 1 - 0x1p-50;
 
-Vec3<Dyadic> dyadic(const Vec3<double>& v) {
-  return {Dyadic::exact(v[0]), Dyadic::exact(v[1]), Dyadic::exact(v[2])};
-}
-
 bool is_zero(const Vec3<Dyadic>& v) {
   return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
 }
@@ -44,7 +40,7 @@ using Hull = std::vector<Vec3<Dyadic>>;
 
 Hull points_of(const MovingPatch<double>& body) {
   Hull points;
-  for (const Vec3<double>& p : body.positions) points.push_back(dyadic(p));
+  for (const Vec3<double>& p : body.positions) points.push_back(exact_dyadic(p));
   return points;
 }
 
@@ -136,7 +132,7 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
   if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;
   std::vector<Vec3<Dyadic>> directions;
   for (const Hull& hull : hulls) add_directions(hull, directions);
-  const std::vector<Vec3<Dyadic>> upwards = {dyadic({0, 0, 1})};
+  const std::vector<Vec3<Dyadic>> upwards = {exact_dyadic({0, 0, 1})};
   return radii + overlap_of(hulls[0], hulls[1], directions, in_plane ? upwards : directions);
 }
 
@@ -168,7 +164,7 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
   const auto& [a, b] = query.patches;
   const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =
-      (dyadic(a.velocities[0]) - dyadic(b.velocities[0])) * Dyadic::exact(until);
+      (exact_dyadic(a.velocities[0]) - exact_dyadic(b.velocities[0])) * Dyadic::exact(until);
   Hull swept = first;
   for (const Vec3<Dyadic>& p : first) swept.push_back(p + way);
   Rational reach = exact(query.separation);
@@ -185,7 +181,7 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
     add_directions(first, directions);
     add_directions(rest, directions);
     // In a plane, an edge and what is at right angles to the plane make a facet.
-    const std::vector<Vec3<Dyadic>> upwards = {dyadic({0, 0, 1})};
+    const std::vector<Vec3<Dyadic>> upwards = {exact_dyadic({0, 0, 1})};
     depth = radii + overlap_of(swept, rest, directions, in_plane ? upwards : directions);
   }
   return std::max(0.0, kRoundings * depth);

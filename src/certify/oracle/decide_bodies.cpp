@@ -9,6 +9,7 @@
 #include "certify/oracle/decide_turning.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -101,7 +102,7 @@ class DecidingBodies {
     if (is_contact(at)) return say_contact(t, at);
     for (;;) {
       if (touches_at_rational_time(t, at)) return;
-      const Rational speed = dot_of(at.way, velocity_);
+      const Rational speed = dot(at.way, velocity_);
       CCDFUZZ_VERIFY(speed < 0);  // as a contact comes
       const Rational ahead = (at.squared - reach_ * root_above(at.squared)) / -speed;
       const Rational next = t + ahead;
@@ -118,14 +119,14 @@ class DecidingBodies {
   /// and that is at a rational time.
   bool touches_at_rational_time(const Rational& t, const Found& at) {
     const Vec3<Rational> rate = nearest_.rate_of_way(velocity_);
-    const Rational square = dot_of(rate, rate), half = dot_of(rate, at.way);
+    const Rational square = dot(rate, rate), half = dot(rate, at.way);
     const auto root = rational_root(half * half - square * (at.squared - reach_ * reach_));
     if (reach_ == 0 || !root || square == 0) return false;
     const Rational touch = t + (-half - *root) / square;
     if (touch <= t) return false;
     NearestPoints nearest = nearest_;
     const Found found = nearest(points_[0], moved(touch));
-    if (found.squared != reach_ * reach_ || dot_of(found.way, velocity_) >= 0) return false;
+    if (found.squared != reach_ * reach_ || dot(found.way, velocity_) >= 0) return false;
     say_clear(touch, found.way, false);
     say_contact(touch, found);
     return true;
@@ -156,7 +157,7 @@ class DecidingBodies {
 
   /// The way at t keeps them apart before it, too, where they approach along it.
   void say_clear_if_on_the_way(const Rational& t, const Found& found) {
-    if (dot_of(found.way, velocity_) <= 0) say_clear(t, found.way, false);
+    if (dot(found.way, velocity_) <= 0) say_clear(t, found.way, false);
   }
 
   const Query& query_;

@@ -10,6 +10,7 @@
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -121,8 +122,8 @@ class DecidingTurning {
   /// Whether a plane between them from one time to another is proven, and kept then.
   bool add_plane(const Sight& here, const Sight& there) {
     BodyPlanes::Plane plane{here.t, {}, {}, 0};
-    const Rational length = root_above(
-        std::max(dot_of(*here.normal, *here.normal), dot_of(*there.normal, *there.normal)));
+    const Rational length =
+        root_above(std::max(dot(*here.normal, *here.normal), dot(*there.normal, *there.normal)));
     const Rational kept = reach_ * length;
     const auto spare = [&](const Sight& at) {
       return Rational(at.heights[1] - at.heights[0] - kept);

@@ -10,6 +10,7 @@
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -57,7 +58,7 @@ class Differences {
       for (int which = 0; which < 8; ++which) {
         if ((which & 1) + (which >> 1 & 1) + (which >> 2) != late) continue;
         const auto corner = [&](size_t i) { return ((which >> i & 1) != 0 ? q : p)[i]; };
-        sum += dot_of(corner(0), corner(1).cross(corner(2)));
+        sum += dot(corner(0), corner(1).cross(corner(2)));
       }
       return sgn(sum);
     };
@@ -103,11 +104,11 @@ double depth_within_separation(const Query& query, const Witness& witness, const
     return Vec3<Rational>(points[0] - points[1]);
   };
   const Vec3<Rational> from = gap_at(witness.t), way = gap_at(until) - from;
-  const Rational length = dot_of(way, way);
-  Rational share = length == 0 ? Rational(0) : Rational(-dot_of(from, way) / length);
+  const Rational length = dot(way, way);
+  Rational share = length == 0 ? Rational(0) : Rational(-dot(from, way) / length);
   share = std::clamp(share, Rational(0), Rational(1));
   const Vec3<Rational> nearest = from + way * share;
-  return std::max(0.0, round_down(exact(query.separation) - root_above(dot_of(nearest, nearest))));
+  return std::max(0.0, round_down(exact(query.separation) - root_above(dot(nearest, nearest))));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "certify/oracle/nearest_points.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -21,16 +22,12 @@ Rational fraction(const Integer& x, const Integer& y) {
   return out;
 }
 
-Integer dot_of(const Vec3<Integer>& a, const Vec3<Integer>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// The place of the point that reaches least along a direction, or, of `sign` −1, furthest.
 size_t support(const Points<Integer>& points, const Vec3<Integer>& direction, int sign) {
   size_t best = 0;
   Integer least;
   for (size_t i = 0; i < points.size(); ++i) {
-    Integer height = dot_of(points[i], direction);
+    Integer height = dot(points[i], direction);
     if (sign < 0) height = -height;
     if (i == 0 || height < least) {
       best = i;
@@ -51,8 +48,8 @@ NearestPoints::Shares NearestPoints::least_from(const Vec3<Integer>& base) const
   for (size_t k = 1; k <= n; ++k) d.emplace_back(differences_[k].way - differences_[0].way);
   std::vector<std::vector<Integer>> rows(n);
   for (size_t i = 0; i < n; ++i) {
-    for (size_t j = 0; j < n; ++j) rows[i].push_back(dot_of(d[i], d[j]));
-    rows[i].push_back(-dot_of(d[i], base));
+    for (size_t j = 0; j < n; ++j) rows[i].push_back(dot(d[i], d[j]));
+    rows[i].push_back(-dot(d[i], base));
   }
   // Bareiss: entries are minors, so each division by the last pivot is exact. No pivot is 0: the
   // matrix is positive definite, as the d_k are independent.
@@ -150,11 +147,11 @@ const NearestPoints::Found& NearestPoints::operator()(const std::array<Points<In
     settle();
     way = {0, 0, 0};
     for (const Difference& difference : differences_) way += difference.weight * difference.way;
-    squared = dot_of(way, way);
+    squared = dot(way, way);
     if (squared == 0) break;
     const std::array<size_t, 2> places = {support(points[0], way, -1), support(points[1], way, 1)};
     Vec3<Integer> least = way_between(places);
-    if (total_ * dot_of(least, way) >= squared) break;
+    if (total_ * dot(least, way) >= squared) break;
     differences_.push_back({places, std::move(least), 0});
   }
   const Integer whole = scale * total_;

@@ -54,8 +54,4 @@ class NearestPoints {
   Found found_;
 };
 
-inline Rational dot_of(const Vec3<Rational>& a, const Vec3<Rational>& b) {
-  return Rational(a[0] * b[0]) + Rational(a[1] * b[1]) + Rational(a[2] * b[2]);
-}
-
 }  // namespace ccdfuzz

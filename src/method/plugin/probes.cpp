@@ -14,17 +14,11 @@ namespace {
 
 /// A number that depends on every bit of a query.
 std::uint64_t mixed_bits(const Query& query) {
-  std::uint64_t mix = std::bit_cast<std::uint64_t>(query.t_max);
-  for (const MovingPatch<double>& patch : query.patches) {
-    const auto mix_in = [&](double x) {
-      mix = (mix ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
-      mix ^= mix >> 32;
-    };
-    for_each_coordinate(patch, mix_in);
-    for_each_turn_number(patch, mix_in);
-    for (const double w : patch.weights) mix_in(w);
-    for_each_vertex(patch, mix_in);
-  }
+  std::uint64_t mix = 0;
+  for_each_number(query, [&](double x) {
+    mix = (mix ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
+    mix ^= mix >> 32;
+  });
   return mix;
 }
 
