@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/verify.hpp"
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/spin.hpp"
 
@@ -165,7 +166,10 @@ class HeightCheck {
       std::array<Polynomial, 3> rows = rows_;
       if (is_by_angle_) rows[2] = with_.product(piece_.normal[2], scale);
       base = with_.sum(std::move(base), Polynomial(rows[0].size(), 0));
-      for (Polynomial& row : rows) row = with_.sum(std::move(row), Polynomial(base.size(), 0));
+      for (Polynomial& row : rows) {
+        row = with_.sum(std::move(row), Polynomial(base.size(), 0));
+        CCDFUZZ_VERIFY(row.size() == base.size());
+      }
       Polynomial sum;
       return std::ranges::all_of(body_.positions, [&](const Vec3<double>& p) {
         sum = base;
