@@ -12,13 +12,15 @@ namespace ccdfuzz {
 
 namespace {
 
-/// A number that depends on every bit of a query.
+/// A number that depends on every bit of a query's patches and of t_max.
 std::uint64_t mixed_bits(const Query& query) {
-  std::uint64_t mix = 0;
-  for_each_number(query, [&](double x) {
-    mix = (mix ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
-    mix ^= mix >> 32;
-  });
+  auto mix = std::bit_cast<std::uint64_t>(query.t_max);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for_each_number(patch, [&](double x) {
+      mix = (mix ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
+      mix ^= mix >> 32;
+    });
+  }
   return mix;
 }
 
