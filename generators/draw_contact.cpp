@@ -179,8 +179,8 @@ GeneratorOptions draw_regular_options(Draw& choices) {
   options.contact = choices.pick(kContactClasses);
   options.kind = choices.pick(kCaseKinds);
   options.seed = choices.choose(~std::uint64_t{0});
-  // Enough for every other grazing case of quadratic triangles, and for nearly all others. Of
-  // tensor patches so many pops take 50 ms; with the default one input took two seconds, and under
+  // Enough for every other grazing case of quadratic triangles, and for nearly all others. So
+  // many pops take 50 ms of tensor patches; with the default one input took two seconds, and under
   // sanitizers a minute.
   options.proof_pops = 1000;
   if (choices.coin()) {

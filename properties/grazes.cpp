@@ -46,7 +46,7 @@ void check_just_missing(Draw& d) {
   const Case known = draw_body_graze(d, family, CaseKind::kNMN);
   Query nearer = known.query;
   nearer.separation = std::ldexp(largest_coordinate(known.query), -16);
-  // Of bodies that turn the oracle may leave it undecided.
+  // The oracle may leave it undecided where bodies turn.
   const std::optional<bool> collides = decide(nearer).truth.collides;
   suppose(collides.has_value());
   CLAIM(*collides);

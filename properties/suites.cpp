@@ -33,7 +33,7 @@ const std::vector<Property>& properties() {
 }
 
 Result<Property> property_named(std::string_view name, const std::vector<Property>& among) {
-  // Of a name that is almost right the few to choose from; of another it would be no help.
+  // A name that is almost right gets the few to choose from; they would not help another.
   constexpr int kMost = 8;
   const auto subject_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
   std::string alike;

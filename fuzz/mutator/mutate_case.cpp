@@ -35,7 +35,7 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
     return 1 + LLVMFuzzerMutate(data + 1, size - 1, max_size - 1);
   }
   const std::optional<Contact> q = contact_of_bytes(std::span(data, size), options.range);
-  // Of its own source: what the seed makes of q does not depend on it.
+  // Draws from a source of its own: what the seed makes of q does not depend on it.
   Draw anew{Random::keyed({seed, 1})};
   if (anew.below(options.drawn_in) == 0 || !q) {
     const std::size_t drawn = put(draw_witnessed(anew, {}), method, {data, max_size});

@@ -72,8 +72,8 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kConcurrentLines, "concurrent-lines",
      "all control points pass through one point at one time, or nearly", of(kAll, kAll),
      families::concurrent_lines},
-    // Or a planted one (planted.hpp), in other coordinates (elsewhere.hpp). Of the time before it
-    // says what that one does.
+    // Or a planted one (planted.hpp), in other coordinates (elsewhere.hpp). It says of the time
+    // before what that one does.
     {Family::kAnywhere, "anywhere",
      "contacts of these families and others in any scale and place; some witness only", of(kAll)},
     {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats",

@@ -16,7 +16,7 @@ void upper_envelope(const Policy& policy, const Lines<S>& sorted, const TimeWind
   envelope.clear();
   for (int next = 0; next < sorted.size(); ++next) {
     const Line<S>* line = &sorted[next];
-    // Of lines with equal slopes only the highest counts.
+    // Only the highest of lines with equal slopes counts.
     for (; next + 1 < sorted.size() && sorted[next + 1].slope == line->slope; ++next) {
       if (line->intercept <= sorted[next + 1].intercept) line = &sorted[next + 1];
     }

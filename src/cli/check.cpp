@@ -169,7 +169,7 @@ class PropertyCheck {
   void found(const CheckTally& tally) {
     const std::string_view name = checked_.property.name;
     checked_.reproduce = check_command(name, checked_.inputs.seed, tally.first_failure);
-    // Of a claim that is known to be false, only who asks for it wants to see the failure.
+    // The failure of a claim that is known to be false is for whoever asks for that claim.
     if (checked_.known_false() && options_.names.empty()) return;
     checked_.find = ClaimFind(checked_.property, tally.error, tally.text, checked_.reproduce);
     save();

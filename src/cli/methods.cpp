@@ -77,7 +77,7 @@ int run_methods(const MethodsOptions& options, Session& session) {
     const bool claims = info.claims_no_false_negative;
     print_entry(fmt::format("{}{} ({})", info.spec, claims ? " *" : "", info.source),
                 info.description);
-    // Of all there are, the list would be longer than a terminal.
+    // With all methods, the list would be longer than a terminal.
     const std::vector<std::string> words = words_of(info.features);
     if (!options.specs.empty() && !words.empty()) {
       print_out(fmt::format("    takes {}\n",

@@ -60,7 +60,7 @@ void show(const std::string& id, const Completed& completed, Session& session) {
 
 /// Throws BadInput: what the case says of a contact is refuted.
 Completed prove(const NamedCase& named, const OracleOptions& oracle) {
-  // Of a certificate of absence complete_truth says whether it is refuted.
+  // complete_truth says whether a certificate of absence is refuted.
   if (auto checked = check_truth(named.value); !checked) {
     throw BadInput{{named.id + ": " + checked.error().where, checked.error().what}};
   }

@@ -28,7 +28,7 @@ struct SpinInFiles {
     archive("velocity", spin.turn.spin);
     archive.optional("centre", spin.turn.centre, Vec3<double>(0, 0, 0));
     if constexpr (kReads<decltype(archive)>) {
-      // Of no number it would be no spin.
+      // Without a number it would be no spin.
       const auto fault = spin.turn.is_spin() ? fault_of(spin.turn)
                                              : InputError{"velocity", "has 0 numbers, and needs 3"};
       if (fault) archive.object().refuse_below(*fault);

@@ -159,7 +159,7 @@ Result<void> Intake::store_kept() {
       if (kept.stored) continue;
       const Result<Store::Put> done = put(failure, kept.find);
       if (!done) {
-        // Of one that cannot be stored the others are no worse off.
+        // Where one cannot be stored, the others are no worse off.
         if (stored) stored = tl::unexpected(done.error());
         continue;
       }

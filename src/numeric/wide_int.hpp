@@ -46,7 +46,7 @@ class WideInt {
   /// Within a relative error of 2^-52. No integer of less than 2^960 overflows.
   double approximate() const {
     static_assert(Bits < 960);
-    // Of the magnitude, the highest limb that is not 0, and the next.
+    // The highest limb of the magnitude that is not 0, and the next.
     const Limb flip = negative() ? ~Limb{0} : 0;
     Limb carry = flip & 1, top = 0, next = 0, before = 0;
     int place = 0;

@@ -5,7 +5,7 @@ Pages are README.md, CONTRIBUTING.md, SECURITY.md, CHANGELOG.md, corpus/README.m
 plug-ins'. Per page: words per sentence (MEAN_WORDS on average, MAX_WORDS at most, a few more in OTHERS; cells of
 tables too), lines of at most MAX_COLUMNS outside of tables and JSON, and no sentence that opens with a bare "Of".
 A code span is one word. Comments of the sources have as many words a sentence at most, where what has no two
-letters in a row is no word, but part of a formula. None opens with a bare "of". -v prints all numbers.
+letters in a row is no word, but part of a formula. None opens with a bare "Of". -v prints all numbers.
 """
 import re
 import sys
@@ -96,18 +96,12 @@ def sources():
 
 
 def of_comments():
-    """The doc comments that open with a bare "of", and sentences in them that open with "Of"."""
+    """The comments with a sentence that opens with a bare "Of"."""
     found = []
     for path in sources():
-        before = ''
-        for number, line in enumerate(path.read_text().splitlines(), 1):
-            match = re.search(r'///<? *(.*)', line)
-            comment = match[1] if match else ''
-            opens = not before and re.match(r'[oO]f\b', comment) and not line.lstrip().startswith('///<')
-            follows = re.search(r'(^|[.:;!?] )Of\b', comment)
-            if opens or follows:
-                found.append(f'{path.relative_to(ROOT)}:{number}: {comment}')
-            before = comment if match and line.lstrip().startswith('///') else ''
+        for number, block in comment_blocks(path.read_text().splitlines()):
+            if re.search(r'(^|[.:;!?] )Of\b', block):
+                found.append(f'{path.relative_to(ROOT)}:{number}: {block[:70]}')
     return found
 
 

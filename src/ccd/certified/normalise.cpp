@@ -172,7 +172,7 @@ void normalise(const Query& query, NormalisedQuery& out) {
   // Whatever is beyond 4·√3 holds all points of the scene; an infinity would make 0·∞ of no axis.
   out.separation = std::min(out.separation, std::numeric_limits<double>::max());
   // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3. Stage 1 loses at most η/2 in x
-  // and η/2 in c, and stage 3 multiplies both by 2^scale. Of ends it loses it in e and p.
+  // and η/2 in c, and stage 3 multiplies both by 2^scale. With ends it loses it in e and p.
   out.absolute = kLeastAbsolute;  // ≥ η
   if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
   if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0) + more);

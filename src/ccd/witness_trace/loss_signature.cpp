@@ -17,7 +17,7 @@ std::string loss_signature(const Trace& trace) {
   const ExcludedInterval& by = trace.loss->by;
   const int level = trace.loss->place.level;
   if (by.axis < 0) return fmt::format("level {}, hull", level);
-  // Of oriented boxes: those of patch 1, those of patch 2, and their cross products.
+  // Axes of oriented boxes: those of patch 1, those of patch 2, and their cross products.
   const char* axes = by.axis < 3 ? "1-3" : by.axis < 6 ? "4-6" : "7-";
   return fmt::format("level {}, axes {}, {}", level, axes, loss_cause(trace));
 }
