@@ -15,10 +15,8 @@ const Integer& Fraction::odd_divisor() const {
   return odd_ ? *odd_ : one;
 }
 
-void Fraction::set_divisor(Integer odd) {
-  const Integer common = gcd(numerator_.mantissa(), odd);
+void Fraction::set_reduced(const Integer& common, Integer odd) {
   numerator_ = Dyadic(Integer(numerator_.mantissa() / common), numerator_.exponent());
-  odd /= common;
   odd_ = odd == 1 ? std::nullopt : std::optional(std::move(odd));
 }
 
@@ -27,16 +25,28 @@ Fraction& Fraction::operator+=(const Fraction& o) {
     numerator_ += o.numerator_;
     return *this;
   }
-  const Dyadic own(odd_divisor(), 0), other(o.odd_divisor(), 0);
+  // Each numerator has no divisor in common with its own. So the sum has none but what both share.
+  const Integer shared = gcd(odd_divisor(), o.odd_divisor());
+  const Dyadic own(Integer(odd_divisor() / shared), 0);
+  const Dyadic other(Integer(o.odd_divisor() / shared), 0);
+  const Integer& of_other = o.odd_divisor();
   numerator_ = numerator_ * other + o.numerator_ * own;
-  set_divisor(odd_divisor() * o.odd_divisor());
+  const Integer common = gcd(numerator_.mantissa(), shared);
+  set_reduced(common, own.mantissa() * of_other / common);
   return *this;
 }
 
 Fraction& Fraction::set_product(const Fraction& a, const Fraction& b) {
-  const bool is_dyadic = !a.odd_ && !b.odd_;
+  if (!a.odd_ && !b.odd_) {
+    numerator_.set_product(a.numerator_, b.numerator_);
+    odd_.reset();
+    return *this;
+  }
+  const Integer in_a = gcd(a.numerator_.mantissa(), b.odd_divisor());
+  const Integer in_b = gcd(b.numerator_.mantissa(), a.odd_divisor());
+  Integer odd = (a.odd_divisor() / in_b) * (b.odd_divisor() / in_a);
   numerator_.set_product(a.numerator_, b.numerator_);
-  is_dyadic ? odd_.reset() : set_divisor(a.odd_divisor() * b.odd_divisor());
+  set_reduced(in_a * in_b, std::move(odd));
   return *this;
 }
 

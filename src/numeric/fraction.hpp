@@ -40,8 +40,8 @@ class Fraction {
   }
 
  private:
-  /// In lowest terms. Requires an odd divisor > 0.
-  void set_divisor(Integer odd);
+  /// The numerator over a common divisor of both, beside an odd divisor > 0 that is without it.
+  void set_reduced(const Integer& common, Integer odd);
 
   Dyadic numerator_;
   std::optional<Integer> odd_;  ///< the divisor, if it is not 1
