@@ -180,8 +180,8 @@ GeneratorOptions draw_regular_options(Draw& choices) {
   options.kind = choices.pick(kCaseKinds);
   options.seed = choices.choose(~std::uint64_t{0});
   // Enough for every other grazing case of quadratic triangles, and for nearly all others. So
-  // many pops take 50 ms of tensor patches; with the default one input took two seconds, and under
-  // sanitizers a minute.
+  // many pops take 50 ms for tensor patches. With the default, one input took two seconds, and a
+  // minute under sanitizers.
   options.proof_pops = 1000;
   if (choices.coin()) {
     constexpr int kMostDegree = 3;

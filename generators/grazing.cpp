@@ -97,7 +97,7 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
   if (const auto tangents = tangents_across(normal)) return GrazingPlane{*tangents, normal};
   std::array<TangentCone, 2> cones;
   for (size_t s = 0; s < 2; ++s) cones[s] = tangent_cone(points[s], x[s]);
-  // A face, or the two edges, span the plane; else there is at most one line.
+  // A face spans the plane, and so do two edges; else there is at most one line.
   std::vector<Vec3<Dyadic>> lines;
   for (const TangentCone& cone : cones) {
     if (cone.lines.size() == 2) lines = cone.lines;

@@ -106,7 +106,7 @@ void check_blossom_symmetry(Draw& d) {
   std::vector<Uv<Dyadic>> arguments = draw_arguments(d, drawn.shape);
   const Vec3<Dyadic> first = blossom<Dyadic>(drawn.shape, drawn.points, arguments);
   const auto turn = static_cast<std::ptrdiff_t>(d.choose(arguments.size() - 1));
-  // In a tensor patch, n of the u count, and m of the v: arguments of which both do change places.
+  // A tensor patch reads u of n arguments, and v of m. Those of which it reads both change places.
   const auto common = drawn.shape.kind == ShapeKind::kTensor
                           ? static_cast<std::ptrdiff_t>(std::min(drawn.shape.n, drawn.shape.m))
                           : static_cast<std::ptrdiff_t>(arguments.size());

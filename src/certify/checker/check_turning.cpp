@@ -7,6 +7,7 @@
 #include "base/verify.hpp"
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/spin.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 
@@ -21,9 +22,7 @@ using Numbers = std::vector<Fraction>;
 /// w, x, y, z.
 using Quaternion = std::array<Polynomial, 4>;
 
-Fraction real(double x) {
-  return Dyadic::exact(x);
-}
+constexpr auto real = from_double<Fraction>;
 
 /// Arithmetic that is charged for.
 class Charged {
