@@ -131,6 +131,10 @@ class TriageRun {
 
   int run() {
     const std::vector<std::string> files = need(triage_files(arguments_.inputs));
+    const std::string& known = arguments_.known;
+    if (std::error_code error; !known.empty() && !fs::is_directory(known, error)) {
+      throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
+    }
     counts_.files = files.size();
     arguments_.target ? triage_claims(files) : triage_cases(files);
     session_.progress().clear();
@@ -185,10 +189,10 @@ class TriageRun {
     options.warn = [&](const std::string& warning) {
       session_.progress().note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
     };
-    Triage triage(store, options);
     if (!arguments_.known.empty()) {
-      for (const NamedCase& entry : need(load_corpus(arguments_.known))) triage.know(entry);
+      for (const NamedCase& entry : need(load_corpus(arguments_.known))) store.know(entry);
     }
+    Triage triage(store, options);
     const auto tell = [&](const Failure& failure, const Case&) {
       ++counts_.finds;
       const std::string path = store.path_of(failure);
@@ -224,10 +228,6 @@ class TriageRun {
     }
     const Result<Suite> suite = arguments_.find_suite(name);
     if (!suite) throw BadInput{{"--target", suite.error().message()}};
-    const std::string& known = arguments_.known;
-    if (std::error_code error; !known.empty() && !fs::is_directory(known, error)) {
-      throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
-    }
     need(make_writable_folder(claims_in(arguments_.output)));
     ServedClaims served;
     go(files, [&](const std::string& file) {

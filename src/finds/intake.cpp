@@ -37,11 +37,6 @@ bool Intake::offer(const Failure& failure, Case find) {
   return is_first && (kept.is_new || !kept.stored);
 }
 
-void Intake::know(const NamedCase& entry) {
-  const std::lock_guard lock(mutex_);
-  for (const Failure& failure : failures_of(entry.value)) told_.try_emplace(failure, entry);
-}
-
 AskAgain Intake::again() {
   return [this](const std::string& method, const CheckedCase& known) -> std::optional<Expected> {
     if (!can_be_asked(method)) {
@@ -95,11 +90,10 @@ Result<std::uint64_t> Intake::take_doubtful() {
 Result<bool> Intake::has(const Failure& failure) {
   const std::lock_guard lock(mutex_);
   if (kept_.contains(failure) || confirmed_.contains(failure)) return true;
-  if (const auto told = told_.find(failure); told != told_.end()) {
-    if (shows(told->second, failure)) return true;
-    told_.erase(told);
+  for (;;) {
+    CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
+    if (!shown || *shown) return shown.has_value();
   }
-  return is_shown_in_store(failure);
 }
 
 /// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
@@ -109,27 +103,16 @@ bool Intake::fails_so(const NamedCase& entry, const Failure& failure) {
                              confirm_.expected_as_asked(failure.who, *known)) == failure;
 }
 
-/// The same of an entry that hides finds from then on.
-bool Intake::shows(const NamedCase& entry, const Failure& failure) {
-  const bool is_shown = fails_so(entry, failure);
-  if (is_shown) confirmed_.insert(failure);
-  return is_shown;
-}
-
 /// Whether the smallest entry that says that it shows the failure does when its method is asked
 /// again; one that does not is disowned. Nothing where there is no such entry.
 Result<std::optional<bool>> Intake::confirm_standing(const Failure& failure) {
   CCDFUZZ_TRY(const std::optional<NamedCase> entry, store_.standing(failure));
   if (!entry) return std::nullopt;
-  if (shows(*entry, failure)) return true;
-  return store_.disown(failure, entry->id).map([] { return std::optional(false); });
-}
-
-Result<bool> Intake::is_shown_in_store(const Failure& failure) {
-  for (;;) {
-    CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
-    if (!shown || *shown) return shown.has_value();
+  if (fails_so(*entry, failure)) {
+    confirmed_.insert(failure);
+    return true;
   }
+  return store_.disown(failure, entry->id).map([] { return std::optional(false); });
 }
 
 Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees,

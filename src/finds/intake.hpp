@@ -41,9 +41,6 @@ class Intake {
   /// in the store.
   bool offer(const Failure& failure, Case find);
 
-  /// An entry of another folder, whose failures are known as if it were in the store.
-  void know(const NamedCase& entry);
-
   /// Puts an entry of another folder: for the failure that it is named by, or under its own name.
   /// If its query is there, the two become one (unite), and what they disagree about the
   /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
@@ -108,9 +105,7 @@ class Intake {
   Result<Store::Put> put_aside(const NamedCase& entry, const Failure& failure);
   AskAgain again();
   bool fails_so(const NamedCase& entry, const Failure& failure);
-  bool shows(const NamedCase& entry, const Failure& failure);
   Result<std::optional<bool>> confirm_standing(const Failure& failure);
-  Result<bool> is_shown_in_store(const Failure& failure);
   void notice_replacement();
   Result<void> noted(Result<void> result);
 
@@ -119,8 +114,7 @@ class Intake {
   mutable std::mutex mutex_;
   Asker confirm_;
   std::map<Failure, Kept> kept_;
-  std::map<Failure, NamedCase> told_;  ///< by know
-  std::set<Failure> confirmed_;        ///< an entry of the store shows it
+  std::set<Failure> confirmed_;        ///< an entry that the store knows shows it
   std::vector<std::string> doubtful_;  ///< the paths of the entries that wait
   Settled settled_;
   std::uint64_t times_replaced_ = 0;

@@ -118,18 +118,26 @@ auto Store::locked(const Work& work) -> decltype(work()) {
 }
 
 Result<void> Store::read_named() {
-  named_.clear();
   return for_each_entry(folder_, [&](const NamedCase& entry) {
-    if (fs::path(entry.id).parent_path() != home_ || !named_by_failure(entry)) note_named(entry);
+    if (fs::path(entry.id).parent_path() != home_ || !named_by_failure(entry)) know(entry);
   });
 }
 
-void Store::note_named(const NamedCase& entry) {
-  Named now{rank_of(entry.value.query), entry.id};
+void Store::know(const NamedCase& entry) {
   for (const Failure& failure : failures_of(entry.value)) {
-    const auto [known, is_first] = named_.try_emplace(failure, now);
-    if (!is_first && now.rank < known->second.rank) known->second = now;
+    named_.insert({failure, rank_of(entry.value.query), entry.id});
   }
+}
+
+/// The smallest entry of any other name that shows the failure, as its file is now.
+Result<std::optional<NamedCase>> Store::named(const Failure& failure) {
+  auto at = named_.lower_bound({failure});
+  while (at != named_.end() && at->failure == failure) {
+    CCDFUZZ_TRY(auto entry, entry_at(at->path));
+    if (entry && shows(entry->value, failure)) return entry;
+    at = named_.erase(at);
+  }
+  return std::nullopt;
 }
 
 /// Gives an entry its address as its name. If its query is there already, that entry stays
@@ -151,11 +159,10 @@ Result<Store::Put> Store::put_locked(const Failure& failure, const Case& find,
                                      const std::string& trees, const AskAgain& again) {
   const std::string path = path_of(failure);
   const Rank rank = rank_of(find.query);
-  if (const auto known = named_.find(failure);
-      known != named_.end() && !(rank < known->second.rank)) {
-    if (!again || known->second.rank < rank) return Put::kKnown;
-    CCDFUZZ_TRY(const auto twin, entry_at(known->second.path));
-    if (twin) return rewrite_entry(*twin, unite(*twin, find, trees, again));
+  CCDFUZZ_TRY(const auto known, named(failure));
+  if (known && rank_of(known->value.query) <= rank) {
+    if (!again || rank_of(known->value.query) < rank) return Put::kKnown;
+    return rewrite_entry(*known, unite(*known, find, trees, again));
   }
   CCDFUZZ_TRY(const auto standing, entry_at(path));
   if (!standing) return write_entry(path, find, trees).map([] { return Put::kNew; });
@@ -227,7 +234,7 @@ Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
     if (!standing) return tl::unexpected(standing.error());
     if (*standing) return rewrite_entry(**standing, unite(**standing, entry, trees, again));
     return write_entry(path, entry, trees).map([&] {
-      note_named({path, entry});
+      know({path, entry});
       return Put::kNew;
     });
   });
@@ -237,17 +244,16 @@ Result<std::optional<NamedCase>> Store::standing(const Failure& failure) {
   return locked([&]() -> Result<std::optional<NamedCase>> {
     CCDFUZZ_TRY(std::optional<NamedCase> own, entry_at(path_of(failure)));
     if (own && !shows(own->value, failure)) own.reset();
-    const auto named = named_.find(failure);
-    if (named == named_.end()) return own;
-    if (own && rank_of(own->value.query) < named->second.rank) return own;
-    return entry_at(named->second.path);
+    CCDFUZZ_TRY(std::optional<NamedCase> other, named(failure));
+    if (!other || (own && rank_of(own->value.query) < rank_of(other->value.query))) return own;
+    return other;
   });
 }
 
 Result<void> Store::disown(const Failure& failure, const std::string& path) {
   return locked([&]() -> Result<void> {
-    const auto named = named_.find(failure);
-    if (named != named_.end() && named->second.path == path) named_.erase(named);
+    std::erase_if(named_,
+                  [&](const Named& one) { return one.failure == failure && one.path == path; });
     if (path != path_of(failure)) return {};
     const auto standing = entry_at(path);
     if (!standing || !*standing) return standing.map([](const auto&) {});

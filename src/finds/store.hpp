@@ -1,9 +1,10 @@
 #pragma once
 
-#include <map>
+#include <compare>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,10 @@ class Store {
   Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "",
                         const AskAgain& again = nullptr);
 
+  /// The failures of an entry of another folder need no find here. Requires that its id is the path
+  /// of its file, and that no other thread uses the store.
+  void know(const NamedCase& entry);
+
   /// The smallest entry that says that it shows the failure. Errors: as put.
   Result<std::optional<NamedCase>> standing(const Failure& failure);
 
@@ -77,10 +82,13 @@ class Store {
   std::uint64_t times_replaced() const;
 
  private:
-  /// The smallest entry of a name of its own that shows a failure.
+  /// An entry of any other name that showed a failure when it was read.
   struct Named {
-    Rank rank;
-    std::string path;
+    Failure failure;
+    Rank rank = {};
+    std::string path = {};
+
+    auto operator<=>(const Named&) const = default;
   };
 
   Store() = default;
@@ -88,7 +96,7 @@ class Store {
   template <class Work>
   auto locked(const Work& work) -> decltype(work());
   Result<void> read_named();
-  void note_named(const NamedCase& entry);
+  Result<std::optional<NamedCase>> named(const Failure& failure);
   Result<std::optional<std::string>> move_aside(const NamedCase& entry) const;
   Result<Put> put_locked(const Failure& failure, const Case& find, const std::string& trees,
                          const AskAgain& again);
@@ -98,7 +106,7 @@ class Store {
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards all below
   OpenFolder home_folder_;
   std::uint64_t times_replaced_ = 0;
-  std::map<Failure, Named> named_;
+  std::set<Named> named_;
 };
 
 /// Whether an entry at this path is named by a failure that it shows; if so, by which.

@@ -69,9 +69,6 @@ class Triage {
  public:
   Triage(Store& store, TriageOptions options);
 
-  /// The failures that an entry of another folder expects are known.
-  void know(const NamedCase& entry) { intake_.know(entry); }
-
   /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
   /// of the method "oracle". Calls found for each new failure, with the find as it was stored. What
   /// refutes a claim of sound methods, but by none of their full runs, is passed to options.warn.

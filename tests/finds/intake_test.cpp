@@ -115,16 +115,6 @@ TEST(Intake, OneFindThatCannotBeStoredHoldsUpNoOther) {
   EXPECT_EQ(taken.intake.trouble()->where.substr(0, path.size()), path);
 }
 
-TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
-  const ScratchFolder folder;
-  Taken taken(folder.path(), 2);
-  const Failure failure = failures_of(find_of(3)).front();
-  taken.intake.know({"elsewhere.json", find_of(1)});
-  EXPECT_FALSE(taken.intake.has(failure).value());
-  taken.intake.know({"elsewhere.json", find_of(7)});
-  EXPECT_TRUE(taken.intake.has(failure).value());
-}
-
 /// Puts a find into a folder by its failure, and returns its entry there.
 NamedCase entry_in(const std::string& folder, const Case& find) {
   Store store = open_store(folder);
@@ -140,6 +130,20 @@ TEST(Intake, TakesTheSmallerOfTwoEntriesThatFailAlike) {
     ASSERT_TRUE(taken.intake.take(entry_in(other / "b", find_of(smaller_first ? 31 : 3))));
     EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3)));
   }
+}
+
+TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
+  const ScratchFolder folder, other;
+  Taken taken(folder.path(), 2);
+  const Failure failure = failures_of(find_of(3)).front();
+  const NamedCase forged = entry_in(other / "a", find_of(1));
+  taken.store.know(forged);
+  EXPECT_FALSE(taken.intake.has(failure).value());
+  taken.store.know(forged);
+  taken.store.know(entry_in(other / "b", find_of(7)));
+  EXPECT_TRUE(taken.intake.has(failure).value()) << "behind a smaller one that is forged";
+  fs::remove_all(folder.path());
+  EXPECT_EQ(taken.store.standing(failure).value()->value, find_of(7)) << "in a folder made again";
 }
 
 // Forged: find_of(1) does not fail; it says so and is the smaller.
