@@ -209,9 +209,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
   Axis offset{};
   if (query_.separation > 0) {
     // At the start of the window, where a hit would be.
-    const CornerFrame start_a(query_.shapes[0], seen.nets[0], 0),
-        start_b(query_.shapes[1], seen.nets[1], 0);
-    offset = minus(start_a.middle, start_b.middle);
+    offset = offset_at_start(query_.shapes, seen.nets);
   }
   CandidateAxes candidates(frame_a, frame_b, offset);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {

@@ -92,7 +92,7 @@ class PairSplit {
   /// Both nets of a pair at the ends of a window.
   struct Looked {
     Window window;
-    Snapshot nets[2];
+    std::array<Snapshot, 2> nets;
   };
 
   Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ccd/certified/kernels.hpp"
 #include "ccd/certified/normalise.hpp"
@@ -94,15 +95,22 @@ class HeightErrorBound {
 
  private:
   /// At least |l|₂. The excess covers three more roundings: of the product, of its sum with
-  /// `rounding`, and of that with a gap. The largest component is scaled to 1, so a square that
-  /// underflows is nothing beside it. The root has 4 + 1 roundings and half of the 3 before it,
+  /// `rounding`, and of that with a gap. The root has 4 + 1 roundings and half of the 3 before it,
   /// below 2^-50 together.
   static double above_norm2(const Axis& l) {
+    constexpr double kExcess = 1 + 0x1p-49;
+    if (const double squared = (l[0] * l[0] + l[1] * l[1]) + l[2] * l[2];
+        kLeastSquare <= squared && squared <= std::numeric_limits<double>::max()) {
+      return std::sqrt(squared) * kExcess;
+    }
     const double most = std::max({std::abs(l[0]), std::abs(l[1]), std::abs(l[2])});
     if (most == 0) return 0;
+    // The largest component is scaled to 1, so a square that underflows is nothing beside it.
     const double x = l[0] / most, y = l[1] / most, z = l[2] / most;
-    return std::sqrt((x * x + y * y) + z * z) * most * (1 + 0x1p-49);
+    return std::sqrt((x * x + y * y) + z * z) * most * kExcess;
   }
+  /// A square that underflows loses η/2 at most, less than 2^-100 of a sum from here on.
+  static constexpr double kLeastSquare = 0x1p-960;
 
   /// (1+u)^k − 1 ≤ k·u·(1 + k·u) with k < 2^11, and the few roundings of this expression itself.
   static constexpr double kSlack = 1 + 0x1p-20;
