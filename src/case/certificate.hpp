@@ -54,6 +54,7 @@ struct ContactRoot {
 /// Certificate P: a plane that moves along with the patches and separates them at every t in the
 /// half-open [0, until). At t = until it is normal·x = offset.
 struct MovingPlane {
+  static constexpr bool closed = false;
   Rational until;
   std::array<Rational, 3> normal;  ///< towards patch 1
   Rational offset;
@@ -73,6 +74,7 @@ struct TreeRef {
 /// Certificate T: a tree of separating axes that covers all pairs of parts of the patches at every
 /// t in the closed [0, until].
 struct MissTree {
+  static constexpr bool closed = true;
   Rational until;
   TreeRef tree;
 
@@ -102,6 +104,7 @@ struct BodyClearance {
 /// [0, until]. From its time to that of the next, or to `until`, normal and offset of a plane
 /// change linearly. Patch 1 is at normal·x ≤ offset, and patch 2 at normal·x ≥ offset + gap.
 struct BodyPlanes {
+  static constexpr bool closed = true;
   struct Plane {
     Rational from;
     std::array<std::array<Rational, 3>, 2> normals;  ///< at its two ends; towards patch 2
@@ -137,11 +140,7 @@ inline const Rational& until_of(const Clearance& clearance) {
 /// True iff the clearance, if it holds, proves absence of contact in the closed [0, t].
 inline bool covers(const Clearance& clearance, const Rational& t) {
   const Rational& until = until_of(clearance);
-  bool closed =
-      std::holds_alternative<MissTree>(clearance) || std::holds_alternative<BodyPlanes>(clearance);
-  if (const auto* linear = std::get_if<LinearClearance>(&clearance)) closed = linear->closed;
-  if (const auto* bodies = std::get_if<BodyClearance>(&clearance)) closed = bodies->closed;
-  if (const auto* mesh = std::get_if<MeshClearance>(&clearance)) closed = mesh->closed;
+  const bool closed = std::visit([](const auto& c) { return c.closed; }, clearance);
   return closed ? t <= until : t < until;
 }
 

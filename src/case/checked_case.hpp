@@ -14,7 +14,7 @@ class CheckedCase {
   const Case& value() const { return value_; }
   const Query& query() const { return value_.query; }
   /// A time by which a contact is proven; it may be past t_max.
-  std::optional<Rational> contact_by() const;
+  std::optional<Rational> contact_by() const { return value_.truth.contact_by(); }
   /// A proven contact, of any time.
   const std::optional<Witness>& witness() const { return value_.truth.witness; }
   /// True iff a checked certificate proves that nothing touches in [0, t_max].

@@ -3,15 +3,10 @@
 #include <cmath>
 
 #include "base/verify.hpp"
-#include "case/judge.hpp"
 
 namespace ccdfuzz {
 
-namespace {
-
-/// The end of the horizon. Nothing if it is no finite double or beyond ends, or there is no
-/// witness.
-std::optional<double> end_at(const Case& known, double factor) {
+std::optional<double> horizon_of(const Case& known, double factor) {
   CCDFUZZ_VERIFY(factor >= 1);
   if (!known.truth.witness) return std::nullopt;
   const Rational& contact = known.truth.witness->t;
@@ -22,24 +17,14 @@ std::optional<double> end_at(const Case& known, double factor) {
   return is_asked ? std::optional(t_max) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Case> at_horizon(const Case& known, double factor) {
-  const std::optional<double> end = end_at(known, factor);
-  return end ? std::optional(with_t_max(known, *end)) : std::nullopt;
-}
-
-std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor) {
-  const std::optional<double> end = end_at(known.value(), factor);
-  return end ? std::optional(known.with_t_max(*end)) : std::nullopt;
-}
-
 std::vector<CheckedCase> forms_of(const CheckedCase& known) {
   const Truth& truth = known.value().truth;
   if (truth.collides == false || !truth.witness || is_of_bodies(known.query())) return {known};
   std::vector<CheckedCase> forms;
   for (const double factor : kHorizonFactors) {
-    if (auto asked = at_horizon(known, factor)) forms.push_back(std::move(*asked));
+    if (const auto t_max = horizon_of(known.value(), factor)) {
+      forms.push_back(known.with_t_max(*t_max));
+    }
   }
   return forms;
 }

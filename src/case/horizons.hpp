@@ -12,12 +12,10 @@ namespace ccdfuzz {
 /// and well past it. A query that ends at the contact hides every toi that is late.
 inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 
-/// The case asked up to factor · t* instead, t* the witness's time, rounded up; factor ≥ 1. Where
-/// t* = 0, up to (factor − 1) · t_max.
-/// nullopt if it has no witness, or the product is no finite double, or past 1 of patches with
-/// ends or that turn.
-std::optional<Case> at_horizon(const Case& known, double factor);
-std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
+/// Another t_max to ask the case up to (with_t_max): factor · t*, t* the witness's time, rounded
+/// up; factor ≥ 1. Where t* = 0, (factor − 1) · t_max. nullopt if it has no witness, or the product
+/// is no finite double, or past 1 of patches with ends or that turn.
+std::optional<double> horizon_of(const Case& known, double factor);
 
 /// How a case is put to methods. A positive one of patches is asked at t* and past it
 /// (kHorizonFactors), so that late answers show. A negative one, one without a witness, and one of

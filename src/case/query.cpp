@@ -9,7 +9,6 @@
 #include <cstring>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "base/double_parts.hpp"
 #include "bezier/trim.hpp"
@@ -55,20 +54,23 @@ bool is_zero(double x) {
   return is_finite(x) && compare(x, 0) == 0;
 }
 
-/// Requires the shape of a hull.
 bool is_hull(const MovingPatch<double>& patch) {
-  if (std::cmp_not_equal(patch.positions.size(), patch.shape.n) || patch.velocities.size() != 1 ||
-      patch.has_ends() || !patch.weights.empty() || !patch.trim.empty() ||
-      !is_not_negative(patch.radius)) {
-    return false;
-  }
-  FiniteScan scan;
-  scan.add(patch.velocities[0]);
-  for (const Vec3<double>& p : patch.positions) scan.add(p);
-  return scan.all_finite() && !(patch.turn && fault_of(*patch.turn)) && !fault_of_faces(patch);
+  return patch.shape.kind == ShapeKind::kHull;
+}
+
+bool has_valid_radius(const MovingPatch<double>& patch) {
+  return is_hull(patch) ? is_not_negative(patch.radius) : is_zero(patch.radius);
+}
+
+bool has_valid_weights(const MovingPatch<double>& patch) {
+  if (patch.weights.empty()) return true;
+  return !is_hull(patch) && patch.weights.size() == patch.positions.size() &&
+         are_weights(patch.weights);
 }
 
 Result<void> validate_weights(const MovingPatch<double>& patch, const std::string& where) {
+  if (has_valid_weights(patch)) return {};
+  if (is_hull(patch)) return input_error(where, "a hull has none");
   if (patch.weights.size() != patch.positions.size()) {
     return input_error(where, fmt::format("{} needs {} weights, not {}", to_text(patch.shape),
                                           patch.positions.size(), patch.weights.size()));
@@ -104,11 +106,6 @@ Result<void> validate_shape(const Shape& shape, const std::string& where) {
   }
   return input_error(where,
                      fmt::format("{} has a degree outside 1..{}", to_text(shape), kMaxDegree));
-}
-
-/// How many velocities or ends there are.
-size_t move_count(const Shape& shape) {
-  return shape.kind == ShapeKind::kHull ? 1 : static_cast<size_t>(shape.control_count());
 }
 
 Result<void> validate_points(const Points<double>& points, const Shape& shape, size_t count,
@@ -150,21 +147,20 @@ std::string spread_of_weights() {
 bool is_valid(const Query& query) {
   const auto is_patch = [](const MovingPatch<double>& patch) {
     if (!patch.shape.valid()) return false;
-    if (patch.shape.kind == ShapeKind::kHull) return is_hull(patch);
     const auto count = static_cast<size_t>(patch.shape.control_count());
     const Points<double>& moves = patch.moves();
-    if (patch.positions.size() != count || moves.size() != count) return false;
-    if (patch.has_ends() && !patch.velocities.empty()) return false;
-    if (!patch.weights.empty() && (patch.weights.size() != count || !are_weights(patch.weights))) {
+    if (is_hull(patch)) {
+      if (patch.positions.size() != count || moves.size() != 1 || patch.has_ends()) return false;
+    } else if (patch.positions.size() != count || moves.size() != count) {
       return false;
     }
+    if (patch.has_ends() && !patch.velocities.empty()) return false;
+    if (!has_valid_radius(patch) || !has_valid_weights(patch)) return false;
+    if (patch.turn && (!is_hull(patch) || fault_of(*patch.turn))) return false;
     FiniteScan scan;
-    for (size_t i = 0; i < count; ++i) {
-      scan.add(patch.positions[i]);
-      scan.add(moves[i]);
-    }
-    return scan.all_finite() && is_zero(patch.radius) && !patch.turn && !fault_of_faces(patch) &&
-           !fault_of(patch.trim, patch.shape);
+    for (const Vec3<double>& p : patch.positions) scan.add(p);
+    for (size_t i = 0; i < moves.size(); ++i) scan.add(moves[i]);
+    return scan.all_finite() && !fault_of_faces(patch) && !fault_of(patch.trim, patch.shape);
   };
   return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
          is_not_negative(query.separation) && !is_past_motion(query, query.t_max) &&
@@ -256,30 +252,24 @@ Result<void> validate(const Query& query, const std::string& where) {
       return input_error(path, "has velocities and ends, and may have one of them");
     }
     const char* const field = patch.has_ends() ? ".ends" : ".velocities";
-    auto moves = validate_points(patch.moves(), patch.shape, move_count(patch.shape), path + field);
-    if (!moves) return moves;
-    const bool is_hull = patch.shape.kind == ShapeKind::kHull;
-    if (is_hull && patch.has_ends()) return input_error(path + ".ends", "a hull has a velocity");
-    if (is_hull ? !is_not_negative(patch.radius) : !is_zero(patch.radius)) {
-      return input_error(path + ".radius",
-                         fmt::format("{} is not {}", patch.radius,
-                                     is_hull ? "a finite number ≥ 0" : "0, as of all but hulls"));
+    CCDFUZZ_TRY_VOID(
+        validate_points(patch.moves(), patch.shape, is_hull(patch) ? 1 : count, path + field));
+    if (is_hull(patch) && patch.has_ends()) {
+      return input_error(path + ".ends", "a hull has a velocity");
+    }
+    if (!has_valid_radius(patch)) {
+      const char* accepted = is_hull(patch) ? "a finite number ≥ 0" : "0, as of all but hulls";
+      return input_error(path + ".radius", fmt::format("{} is not {}", patch.radius, accepted));
     }
     const char* const turn = patch.turn && patch.turn->is_spin() ? ".spin" : ".turn";
-    if (patch.turn && !is_hull) return input_error(path + turn, "only a hull turns");
+    if (patch.turn && !is_hull(patch)) return input_error(path + turn, "only a hull turns");
     if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
       return input_error(fmt::format("{}{}.{}", path, turn, fault->where), fault->what);
     }
     if (const auto fault = fault_of_faces(patch)) {
       return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
     }
-    if (is_hull && !patch.weights.empty()) {
-      return input_error(path + ".weights", "a hull has none");
-    }
-    const bool has_count = patch.weights.size() == patch.positions.size();
-    if (!are_weights(patch.weights) || (!patch.weights.empty() && !has_count)) {
-      return validate_weights(patch, path + ".weights");
-    }
+    CCDFUZZ_TRY_VOID(validate_weights(patch, path + ".weights"));
     if (const auto fault = fault_of(patch.trim, patch.shape)) {
       return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
     }

@@ -55,7 +55,8 @@ EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
     return evaluated;
   }
   for (const double factor : options.horizon_factors) {
-    if (const auto moved = at_horizon(known, factor)) ask_up_to(*moved, factor);
+    const std::optional<double> t_max = horizon_of(known.value(), factor);
+    if (t_max) ask_up_to(known.with_t_max(*t_max), factor);
   }
   return evaluated;
 }

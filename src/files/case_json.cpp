@@ -214,7 +214,7 @@ struct JsonForm<Clearance> {
       archive("closed", certificate.closed);
       archive("normals", certificate.normals);
     } else {
-      if constexpr (requires { certificate.closed; }) archive("closed", certificate.closed);
+      if constexpr (!requires { certificate.offset; }) archive("closed", certificate.closed);
       if constexpr (requires { certificate.normal; }) archive("normal", certificate.normal);
       if constexpr (requires { certificate.offset; }) archive("offset", certificate.offset);
     }

@@ -166,10 +166,10 @@ std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, cons
   };
   bool as_it_stands = false;  // was asked: a fuzzer may have left any t_max
   for (const double factor : kHorizonFactors) {
-    const std::optional<Case> asked = at_horizon(known, factor);  // none without a witness
-    if (!asked) continue;
-    if (auto failure = asked_alike(*asked)) return failure;
-    as_it_stands = as_it_stands || asked->query.t_max == known.query.t_max;
+    const std::optional<double> t_max = horizon_of(known, factor);  // none without a witness
+    if (!t_max) continue;
+    if (auto failure = asked_alike(with_t_max(known, *t_max))) return failure;
+    as_it_stands = as_it_stands || *t_max == known.query.t_max;
   }
   if (as_it_stands) return std::nullopt;
   return asked_alike(with_t_max(known, known.query.t_max));

@@ -50,8 +50,8 @@ void ReportRows::keep(ReportedCase reported, const Case& known,
   const bool failed = has_failure(reported);
   if (!failed && ++sampled_[known.origin.contact + known.origin.kind] > kSamplesOfEach) return;
   if (factor && *factor != 1) reported.id += fmt::format(" ×{}", *factor);
-  const std::optional<Case> at = factor ? at_horizon(known, *factor) : std::nullopt;
-  reported.value = at ? *at : known;
+  const std::optional<double> t_max = factor ? horizon_of(known, *factor) : std::nullopt;
+  reported.value = t_max ? with_t_max(known, *t_max) : known;
   (failed ? failed_ : samples_).push_back(std::move(reported));
 }
 

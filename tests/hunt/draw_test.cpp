@@ -190,19 +190,19 @@ TEST(Horizon, QueriesOfEndsGoOnToTheirEndsAtMost) {
   Case known = Draws(1).at(ContactClass::kVV, 1)[0].value();
   ASSERT_EQ(known.truth.witness->t, 1);
   for (MovingPatch<double>& patch : known.query.patches) give_rounded_ends(patch);
-  EXPECT_TRUE(at_horizon(known, 1));
-  EXPECT_FALSE(at_horizon(known, 1.5));
+  EXPECT_TRUE(horizon_of(known, 1));
+  EXPECT_FALSE(horizon_of(known, 1.5));
 }
 
 TEST(Horizon, ATimePastTheContactKeepsTheTruth) {
   const Case known = Draws(1).at(ContactClass::kVV, 1)[0].value();
-  const auto later = at_horizon(known, 1.5);
-  ASSERT_TRUE(later);
-  EXPECT_EQ(exact(later->query.t_max), known.truth.witness->t * Rational(3, 2));
-  EXPECT_EQ(later->truth.collides, true);
+  const auto t_max = horizon_of(known, 1.5);
+  ASSERT_TRUE(t_max);
+  EXPECT_EQ(exact(*t_max), known.truth.witness->t * Rational(3, 2));
+  EXPECT_EQ(with_t_max(known, *t_max).truth.collides, true);
   Case unknown = known;
   unknown.truth = {};
-  EXPECT_FALSE(at_horizon(unknown, 1.5));
+  EXPECT_FALSE(horizon_of(unknown, 1.5));
 }
 
 }  // namespace
