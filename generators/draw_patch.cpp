@@ -46,13 +46,15 @@ Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits) {
   return uv;
 }
 
-Cell draw_cell(Draw& choices, const Shape& shape, int max_depth) {
+Cell draw_cell_at(Draw& choices, const Shape& shape, std::int64_t depth) {
   Cell cell;
-  for (std::int64_t depth = choices.integer(0, max_depth); depth > 0; --depth) {
-    const std::int64_t child = choices.integer(0, shape.child_count() - 1);
-    cell = cell.child(shape, static_cast<int>(child));
-  }
+  const auto last = static_cast<std::uint64_t>(shape.child_count() - 1);
+  for (; depth > 0; --depth) cell = cell.child(shape, static_cast<int>(choices.choose(last)));
   return cell;
+}
+
+Cell draw_cell(Draw& choices, const Shape& shape, int max_depth) {
+  return draw_cell_at(choices, shape, choices.integer(0, max_depth));
 }
 
 namespace {

@@ -17,6 +17,8 @@ Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exp
 /// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
 Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
 
+/// A cell of this depth; below 1, all of the patch.
+Cell draw_cell_at(Draw& choices, const Shape& shape, std::int64_t depth);
 /// A cell of depth at most max_depth.
 Cell draw_cell(Draw& choices, const Shape& shape, int max_depth);
 

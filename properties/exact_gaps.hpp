@@ -10,7 +10,7 @@
 #include "case/query.hpp"
 #include "ccd/line.hpp"
 #include "ccd/rational/gap.hpp"
-#include "generators/draw/draw.hpp"
+#include "generators/draw_patch.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -87,14 +87,6 @@ inline std::optional<SeparatedTimes> separated_times(const RationalLines& lower,
     return std::nullopt;
   }
   return s;
-}
-
-/// Any cell of this depth.
-inline Cell draw_cell_at(Draw& d, const Shape& shape, std::int64_t depth) {
-  Cell cell;
-  const auto last = static_cast<std::uint64_t>(shape.child_count() - 1);
-  for (; depth > 0; --depth) cell = cell.child(shape, static_cast<int>(d.choose(last)));
-  return cell;
 }
 
 /// A pair of cells of a query, of one depth, and an axis.

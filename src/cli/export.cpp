@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <set>
+#include <variant>
 
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
@@ -18,21 +19,15 @@ namespace ccdfuzz {
 
 namespace {
 
-enum class ExportForm { kCsv, kGoogleTest, kCatch2 };
-constexpr std::array<std::string_view, 3> names_of(ExportForm) {
-  return {"csv", "gtest", "catch2"};
-}
-
-struct Form {
-  ExportForm form = ExportForm::kCsv;
-  std::optional<EngineTemplate> engine = {};  ///< in place of the form
-};
+struct AsQueryCsv {};
+using Form = std::variant<AsQueryCsv, TestFramework, EngineTemplate>;
 
 Result<Form> parse_form(const std::string& where, const std::string& text) {
-  if (const auto form = enum_named<ExportForm>(text)) return Form{*form};
-  std::string names = enum_names<ExportForm>();
+  if (text == "csv") return AsQueryCsv();
+  if (const auto framework = enum_named<TestFramework>(text)) return *framework;
+  std::string names = "csv, " + enum_names<TestFramework>();
   for (const EngineTemplate& one : engine_templates()) {
-    if (one.engine == text) return Form{ExportForm::kCsv, one};
+    if (one.engine == text) return one;
     names.append(", ").append(one.engine);
   }
   return input_error(where, fmt::format("\"{}\" is none of {}", text, names));
@@ -45,9 +40,7 @@ struct ExportOptions {
   bool round = false;
 };
 
-int export_tests(const ExportOptions& options, OutputFile& out) {
-  const auto framework = options.as.form == ExportForm::kGoogleTest ? TestFramework::kGoogleTest
-                                                                    : TestFramework::kCatch2;
+int export_tests(const ExportOptions& options, TestFramework framework, OutputFile& out) {
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
@@ -127,8 +120,7 @@ std::string test_path(const std::string& folder, const NamedCase& named, std::st
                      has_line ? "-" + named.id.substr(colon + 1) : "", ending);
 }
 
-int export_engine_tests(const ExportOptions& options) {
-  const EngineTemplate& engine = *options.as.engine;
+int export_engine_tests(const ExportOptions& options, const EngineTemplate& engine) {
   const bool is_folder = options.output.ends_with('/');
   if (is_folder) need(make_folder(options.output));
   std::set<std::string> paths;
@@ -148,10 +140,12 @@ int export_engine_tests(const ExportOptions& options) {
 }
 
 int run_export(const ExportOptions& options, Session&) {
-  if (options.as.engine) return export_engine_tests(options);
+  if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
+    return export_engine_tests(options, *engine);
+  }
   OutputFile out = need(OutputFile::create(options.output));
-  return options.as.form == ExportForm::kCsv ? export_csv(options, out)
-                                             : export_tests(options, out);
+  const auto* framework = std::get_if<TestFramework>(&options.as);
+  return framework != nullptr ? export_tests(options, *framework, out) : export_csv(options, out);
 }
 
 }  // namespace

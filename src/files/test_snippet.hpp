@@ -1,13 +1,18 @@
 #pragma once
 
+#include <array>
 #include <string>
-#include <vector>
+#include <string_view>
 
+#include "base/enum_names.hpp"
 #include "files/case_files.hpp"
 
 namespace ccdfuzz {
 
 enum class TestFramework : std::uint8_t { kGoogleTest, kCatch2 };
+constexpr std::array<std::string_view, 2> names_of(TestFramework) {
+  return {"gtest", "catch2"};
+}
 
 /// How a C++17 source file of tests begins, that needs ccdfuzz_plugin.h, the framework, and the
 /// plug-in to link with.
