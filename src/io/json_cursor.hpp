@@ -77,17 +77,23 @@ class JsonCursor {
   std::string path_;
 };
 
-/// Parses the text of `file` and gives read a cursor at its top. Errors: it is no JSON, or read
-/// refused a value of it.
+/// Gives read a cursor at the top of what the text of `file` holds. Errors: read refused a value.
 template <class Read>
-Result<void> read_json_text(std::string_view text, const std::string& file, const Read& read) {
-  CCDFUZZ_TRY(const JsonValue value, parse_json(text, file));
+Result<void> read_json_tree(const JsonValue& value, const std::string& file, const Read& read) {
   try {
     read(JsonCursor(value, file));
   } catch (const JsonCursor::Refusal& refusal) {
     return tl::unexpected(refusal.error);
   }
   return {};
+}
+
+/// The same, of a text. Errors: it is no JSON, too.
+template <class Read>
+Result<void> read_json_text(std::string_view text, const std::string& file, const Read& read) {
+  return parse_json(text, file).and_then([&](const JsonValue& value) {
+    return read_json_tree(value, file, read);
+  });
 }
 
 }  // namespace ccdfuzz

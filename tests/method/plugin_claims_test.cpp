@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "admitted.hpp"
 #include "method/ask.hpp"
 #include "method/plugin/feature_claims.hpp"
@@ -353,6 +356,18 @@ TEST(PluginClaims, OfBodiesAreRefusedOfWhomTakesNone) {
     EXPECT_TRUE(read_description(claim + R"(,"takes_bodies":true})"));
   }
   EXPECT_TRUE(read_description(R"({"protocol":1,"takes_ends":true,"takes_trims":true})"));
+}
+
+TEST(PluginClaims, AFaultInPlaceOfThemHasAName) {
+  for (const auto& [line, name] : std::map<std::string, std::string>{
+           {R"({"fault":"memory","message":"m"})", "memory"},
+           {R"({"fault":""})", "garbage"},
+           {R"({"fault":3})", "garbage"},
+           {R"({"fault":{}})", "garbage"},
+       }) {
+    EXPECT_EQ(read_description(line).error().name, name) << line;
+    EXPECT_EQ(read_answer(line, 1, 1).error().name, name) << line;
+  }
 }
 
 TEST(PluginClaims, AreRefusedWhenTheyCannotBeReadOrAreOfNoKnownField) {

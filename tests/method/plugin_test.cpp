@@ -231,6 +231,15 @@ TEST(Plugin, IsAtFaultWhenItRefusesToBeStartedAgain) {
   EXPECT_EQ(fault_of(*once), std::pair(std::string("refused"), std::string("not again")));
 }
 
+TEST(Plugin, IsBadInputWhenItRefusesToStart) {
+  const ScratchFolder folder;
+  write_text(folder / "silent", "#!/bin/sh\nread line\necho '{\"refused\":\"options\"}'\n");
+  std::filesystem::permissions(folder / "silent", std::filesystem::perms::owner_all);
+  const std::string spec = "plugin-exec:" + (folder / "silent");
+  EXPECT_EQ(admit_plugin(spec).error().message(),
+            "--methods: \"" + spec + "\": refuses to start, and does not say why");
+}
+
 TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
   const ScratchFolder folder;
   write_text(folder / "text", "no library\n");

@@ -117,6 +117,14 @@ std::string text_of(const JsonValue& object, std::string_view key) {
   return found != nullptr && found->kind == JsonKind::kString ? found->text : "";
 }
 
+/// Errors: the fault that the object tells, by its name; garbage, where it tells one without.
+tl::expected<void, Fault> check_no_fault(const JsonValue& object) {
+  if (object.find("fault") == nullptr) return {};
+  const std::string name = text_of(object, "fault");
+  return name.empty() ? garbage_answer("tells a fault without a name")
+                      : answer_fault(name, text_of(object, "message"));
+}
+
 /// A number that need not be finite; absent for null, for nothing and for what is none.
 std::optional<double> number_of(const JsonValue* value) {
   if (value == nullptr) return std::nullopt;
@@ -293,35 +301,30 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
 
 tl::expected<PluginDescription, Fault> read_description(const std::string& line) {
   CCDFUZZ_TRY(const auto object, parse_object(line));
-  const std::string message = text_of(object, "message");
-  if (object.find("refused") != nullptr) return answer_fault(kRefusal, message);
-  if (const JsonValue* named = object.find("fault"); named != nullptr) {
-    return answer_fault(named->text, message);
-  }
+  if (object.find("refused") != nullptr) return answer_fault(kRefusal, text_of(object, "message"));
+  CCDFUZZ_TRY_VOID(check_no_fault(object));
   if (number_of(object.find("protocol")) != 1.0) {
     return garbage_answer("does not describe itself with \"protocol\": 1: " + line.substr(0, 80));
   }
-  const std::string text = parse_json(line, kFrom) ? line : with_quoted_non_finite(line);
-  Result<PluginDescription> read = from_json<PluginDescription>(text, "its description");
+  PluginDescription description;
+  const Result<void> read = read_json_tree(
+      object, "its description", [&](const JsonCursor& top) { read_json(top, description); });
   if (!read) return answer_fault(kRefusal, read.error().message());
-  CCDFUZZ_TRY_VOID(check_claims(read->features));
-  CCDFUZZ_TRY_VOID(check_looseness(*read));
-  return *std::move(read);
+  CCDFUZZ_TRY_VOID(check_claims(description.features));
+  CCDFUZZ_TRY_VOID(check_looseness(description));
+  return description;
 }
 
 tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
                                               double t_max) {
   CCDFUZZ_TRY(const auto object, parse_object(line));
-  const std::string message = text_of(object, "message");
-  if (const JsonValue* named = object.find("fault"); named != nullptr) {
-    return answer_fault(named->text, message);
-  }
+  CCDFUZZ_TRY_VOID(check_no_fault(object));
   if (const JsonValue* echoed = object.find("id"); whole_of(echoed) != id) {
     return answer_fault("stale", fmt::format("answered question {} when asked question {}",
                                              echoed == nullptr ? "none" : shown(*echoed), id));
   }
   PluginAnswer out;
-  out.answer.note = message;
+  out.answer.note = text_of(object, "message");
   constexpr double kAnyTolerance = std::numeric_limits<double>::infinity();
   constexpr double kLongestAnswer = 1e9;
   CCDFUZZ_TRY_VOID(read_count(object, "iterations", out.answer.pops));
@@ -329,7 +332,7 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   CCDFUZZ_TRY_VOID(read_measure(object, "tolerance", kAnyTolerance, out.tolerance));
   CCDFUZZ_TRY(out.has_seconds, read_measure(object, "seconds", kLongestAnswer, out.answer.seconds));
   const std::string verdict = text_of(object, "verdict");
-  if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
+  if (verdict == "error") return answer_fault("error", "says that it failed: " + out.answer.note);
   if (verdict == "miss") {
     out.answer.verdict = Verdict::kMiss;
   } else if (verdict == "refused") {

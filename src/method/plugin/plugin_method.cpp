@@ -205,7 +205,10 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   Child worker(program);
   auto description = described_by(worker, spec);
   if (!description && description.error().name == kRefusal) {
-    return input_error("--methods", fmt::format("\"{}\": {}", text, description.error().note));
+    const std::string& why = description.error().note;
+    return input_error("--methods",
+                       fmt::format("\"{}\": {}", text,
+                                   why.empty() ? "refuses to start, and does not say why" : why));
   }
   return std::make_shared<const KnownPlugin>(
       KnownPlugin{spec, std::move(description), program, spec.seconds});
