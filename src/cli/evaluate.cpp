@@ -144,7 +144,6 @@ void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& 
                                  : fmt::format("Evaluation of {} files", files.size());
   page.command = command_line();
   rows.finish(page, costs);
-  page.plugins = plugins_among(arguments.methods);
   need(write_report(page, arguments.page, threads));
 }
 

@@ -162,7 +162,6 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::st
   report.title = fmt::format("Hunt of {:.0f} s", hunted.seconds);
   report.command = command_line();
   report.course = {asked, hunted.course};
-  report.plugins = plugins_among(asked);
   for (const HuntCell& cell : hunted.cells) {
     Row row{{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally};
     row.tally.seconds = {};  // a hunt is no measurement of times

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <limits>
-#include <set>
 
 #include "base/number_text.hpp"
 #include "cli/command.hpp"
@@ -36,19 +35,16 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
   ReportPage report;
   report.title = fmt::format("Corpus {}", options.source);
   NotAllowed left_out;
-  std::set<std::string> expected;
   tbb::enumerable_thread_specific<MethodSet> methods;
   session.each_case<ReportedCase>(
       CaseStream(need(corpus_files(options.source))),
       [&](const NamedCase& entry) { return need(reported_entry(entry, methods.local())); },
       [&](const NamedCase&, ReportedCase reported) {
         for (const ReportedAnswer& answer : reported.answers) {
-          expected.insert(answer.method);
           if (!is_admitted(answer.method)) ++left_out[answer.method];
         }
         report.cases.push_back(std::move(reported));
       });
-  report.plugins = plugins_among({expected.begin(), expected.end()});
   if (!left_out.empty()) print_err(fmt::format("ccdfuzz: report: {}\n", to_text(left_out)));
   keep_most_telling(report);
   return report;
@@ -86,9 +82,6 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
   rows.finish(report, costs);
-  std::set<std::string> asked;
-  for (const Row& row : report.rows) asked.insert(row.key.method);
-  report.plugins = plugins_among({asked.begin(), asked.end()});
   return report;
 }
 
@@ -122,7 +115,7 @@ int run_report(const ReportArguments& options, Session& session) {
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   ReportPage report = report_source(options, session);
   report.scoreboard = std::move(scoreboard);
-  if (report.command.empty()) report.command = command_line();
+  report.command = command_line();
   need(write_report(report, options.folder, session.threads));
   if (session.interrupted())
     print_err("ccdfuzz: report: interrupted; the page shows only what was read until then\n");

@@ -101,14 +101,4 @@ std::optional<Curvature> curvature_at(const MovingPatch<double>& patch, const Uv
   return Curvature{{larger, larger == 0 ? 0 : gauss / larger}};
 }
 
-std::optional<std::array<std::optional<Curvature>, 2>> curvature_at_contact(const Case& value) {
-  const std::optional<Witness>& witness = value.truth.witness;
-  if (!witness) return std::nullopt;
-  std::array<std::optional<Curvature>, 2> both;
-  for (size_t s = 0; s < 2; ++s) {
-    both[s] = curvature_at(value.query.patches[s], witness->uv[s], witness->t);
-  }
-  return both;
-}
-
 }  // namespace ccdfuzz

@@ -3,7 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "case/case.hpp"
+#include "bezier/patch.hpp"
+#include "numeric/rational.hpp"
 
 namespace ccdfuzz {
 
@@ -19,8 +20,5 @@ struct Curvature {
 /// and dS/dv are parallel. Derivatives are exact, and all after them is rounded.
 std::optional<Curvature> curvature_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
                                       const Rational& t);
-
-/// The same of both patches at the contact, at its time (Fig. 5). nullopt without a witness.
-std::optional<std::array<std::optional<Curvature>, 2>> curvature_at_contact(const Case& value);
 
 }  // namespace ccdfuzz

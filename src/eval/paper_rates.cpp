@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "eval/rows.hpp"
 #include "files/query_csv.hpp"
 
 namespace ccdfuzz {
@@ -143,8 +144,8 @@ std::optional<PaperResult> paper_result(std::string_view contact, std::string_vi
     if (kTable1[i].contact != contact) continue;
     const PaperResult regular = result_of(kRegularRows[i], column);
     const PaperResult grazing = result_of(kGrazingRows[i], column);
-    if (kinds == "RP+RN") return regular;
-    if (kinds == "NHP+NMN") return grazing;
+    if (kinds == kRegularKinds) return regular;
+    if (kinds == kGrazingKinds) return grazing;
     if (kinds != "all") return std::nullopt;
     PaperResult all = regular;
     all.seconds = kTable1[i].milliseconds[column] * 1e-3;
@@ -157,13 +158,12 @@ std::optional<PaperResult> paper_result(std::string_view contact, std::string_vi
   return std::nullopt;
 }
 
-std::optional<double> paper_generation_seconds(std::string_view contact, std::string_view kind) {
-  const bool regular = kind == "RP" || kind == "RN" || kind == "RP+RN";
-  const bool grazing = kind == "NHP" || kind == "NMN" || kind == "NHP+NMN";
+std::optional<double> paper_generation_seconds(std::string_view contact, const std::string& kind) {
+  const std::string kinds = kinds_of(kind);
   for (const GenerationTimes& row : kTable4) {
     if (row.contact != contact) continue;
-    if (regular) return row.regular;
-    if (grazing) return row.grazing;
+    if (kinds == kRegularKinds) return row.regular;
+    if (kinds == kGrazingKinds) return row.grazing;
   }
   return std::nullopt;
 }

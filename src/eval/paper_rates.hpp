@@ -21,13 +21,14 @@ struct PaperResult {
   std::optional<PaperRate> false_negatives;
 };
 
-/// kinds: "RP+RN" or "NHP+NMN", the halves of Table 2, "all": Table 1, or kLinearKind: Table 3.
+/// kinds: kRegularKinds or kGrazingKinds, the halves of Table 2, "all": Table 1, or kLinearKind:
+/// Table 3.
 /// nullopt where the paper has no row for the class or no column for the method.
 std::optional<PaperResult> paper_result(std::string_view contact, std::string_view kinds,
                                         const std::string& method);
 
 /// Table 4: the time that an accepted case of a class took, with its share of what was discarded.
-/// kind: one or more kinds joined by '+', all regular or all grazing. nullopt for any other.
-std::optional<double> paper_generation_seconds(std::string_view contact, std::string_view kind);
+/// kind: one of those, or a half of Table 2. nullopt for any other.
+std::optional<double> paper_generation_seconds(std::string_view contact, const std::string& kind);
 
 }  // namespace ccdfuzz

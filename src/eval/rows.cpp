@@ -10,10 +10,10 @@ namespace ccdfuzz {
 namespace {
 
 /// The paper's classes and kinds in its order, then the rest.
-template <class E, class All>
-size_t rank_of(const std::string& name, const All& all) {
+template <class E>
+size_t rank_of(const std::string& name) {
   const std::optional<E> known = enum_named<E>(name.substr(0, name.find('+')));
-  return known ? static_cast<size_t>(*known) : all.size();
+  return known ? static_cast<size_t>(*known) : all_of(E()).size();
 }
 
 }  // namespace
@@ -21,14 +21,15 @@ size_t rank_of(const std::string& name, const All& all) {
 std::string kinds_of(const std::string& kind) {
   const std::optional<CaseKind> known = enum_named<CaseKind>(kind);
   if (!known) return kind.empty() ? "-" : kind;
-  return *known == CaseKind::kRP || *known == CaseKind::kRN ? "RP+RN" : "NHP+NMN";
+  const bool is_regular = *known == CaseKind::kRP || *known == CaseKind::kRN;
+  return std::string(is_regular ? kRegularKinds : kGrazingKinds);
 }
 
 Rows::Order Rows::order_of(const RowKey& key) const {
   const auto method = std::ranges::find(methods_, key.method) - methods_.begin();
-  return {rank_of<ContactClass>(key.contact, kContactClasses),
+  return {rank_of<ContactClass>(key.contact),
           key.contact,
-          rank_of<CaseKind>(key.kind, kCaseKinds),
+          rank_of<CaseKind>(key.kind),
           key.kind,
           key.factor,
           static_cast<size_t>(method)};

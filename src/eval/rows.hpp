@@ -60,8 +60,7 @@ struct EvaluatedCase {
 /// The halves of Table 2.
 inline constexpr std::string_view kRegularKinds = "RP+RN", kGrazingKinds = "NHP+NMN";
 
-/// "RP+RN" for the regular kinds, "NHP+NMN" for the grazing ones, as the halves of Table 2; any
-/// other kind by itself, and "-" for none.
+/// The half of Table 2 that a kind is of; any other kind by itself, and "-" for none.
 std::string kinds_of(const std::string& kind);
 
 /// The common properties of a row's answers.

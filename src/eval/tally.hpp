@@ -57,7 +57,6 @@ struct Tally {
     return outcome == Outcome::kFalsePositive ? negatives : n;
   }
   std::uint64_t not_asked() const { return count(Outcome::kNotAsked); }
-  std::uint64_t false_negatives() const { return count(Outcome::kMissed) + count(Outcome::kLate); }
 };
 
 }  // namespace ccdfuzz

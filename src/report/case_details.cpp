@@ -115,16 +115,17 @@ void share_cells(Json& traces, Json& cells) {
   }
 }
 
-}  // namespace
-
-std::string json_text(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
+/// c correct, m missed, l late, f false positive, u undecided, ? unknown, e error, - not asked.
 char letter_of(Outcome outcome) {
   constexpr std::string_view kLetters = "cmlfu?e-";
   static_assert(kLetters.size() == kAllOutcomes.size());
   return kLetters[static_cast<size_t>(outcome)];
+}
+
+}  // namespace
+
+std::string json_text(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 bool has_failure(const ReportedCase& reported) {

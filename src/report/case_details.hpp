@@ -23,14 +23,11 @@ struct CaseText {
 /// Traces the witness of the case, if it has one within t_max, through every method that failed on
 /// it. With trace_all, or if none failed, through all that were asked. Plug-ins are not traced.
 /// The row: [id, class, kind, generator, outcomes, new, worst, setting, bits, causes]:
-/// - `outcomes` has a letter for each method (letter_of; "-" where it was not asked);
+/// - `outcomes` has a letter for each method ("-" where it was not asked);
 /// - `worst` is the first loss of a failed method, [method, level, axis, ulps or null], or null;
 /// - `bits` are the query's significant bits (CaseSize);
 /// - `causes` maps methods that failed to the cause: the one that the case expects, or the trace's.
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
                   bool trace_all, TracerSet& tracers);
-
-/// c correct, m missed, l late, f false positive, u undecided, ? unknown, e error, - not asked.
-char letter_of(Outcome outcome);
 
 }  // namespace ccdfuzz

@@ -9,7 +9,7 @@
 #include "eval/paper_rates.hpp"
 #include "io/fields.hpp"
 #include "io/in_order.hpp"
-#include "method/plugin/plugin_spec.hpp"
+#include "method/method.hpp"
 #include "report/case_details.hpp"
 #include "report/histogram.hpp"
 #include "report/pack.hpp"
@@ -28,10 +28,9 @@ constexpr size_t kCasesPerChunk = 32;
 /// A page of as many cases has room for the traces of the methods that did not fail on them.
 constexpr size_t kFewCases = 200;
 
-/// The place of a method's family among those registered; unknown ones come last.
+/// The place of a method's family among those registered; plug-ins and unknown ones come last.
 size_t rank_of_method(const std::string& method) {
   const std::vector<MethodInfo>& all = registered_methods();
-  if (names_plugin(method)) return all.size();
   const Result<MethodInfo> info = method_info(method);
   if (!info) return all.size();
   const auto at = std::ranges::find(all, info->spec, &MethodInfo::spec);
@@ -53,20 +52,11 @@ std::vector<std::string> methods_of(const ReportPage& report) {
   return methods;
 }
 
-/// Without asking a plug-in.
-std::optional<MethodInfo> known_info(const ReportPage& report, const std::string& method) {
-  const auto plugin = std::ranges::find(report.plugins, method, &MethodInfo::spec);
-  if (plugin != report.plugins.end()) return *plugin;
-  if (names_plugin(method)) return std::nullopt;
-  const Result<MethodInfo> info = method_info(method);
-  return info ? std::optional(*info) : std::nullopt;
-}
-
-Json methods_json(const ReportPage& report, const std::vector<std::string>& methods) {
+Json methods_json(const std::vector<std::string>& methods) {
   Json rows = Json::array();
   for (const std::string& method : methods) {
     Json row = {{"spec", method}};
-    if (const std::optional<MethodInfo> info = known_info(report, method)) {
+    if (const Result<MethodInfo> info = method_info(method)) {
       row["source"] = info->source;
       row["description"] = info->description;
       row["claims"] = info->claims_no_false_negative;
@@ -107,7 +97,7 @@ Json paper_json(const std::vector<Row>& own, const std::vector<std::string>& met
     };
     if (std::ranges::any_of(own, is_linear)) continue;
     for (const std::string& method : methods) {
-      const auto paper = paper_result(name_of(contact), "RP+RN", method);
+      const auto paper = paper_result(name_of(contact), kRegularKinds, method);
       if (!paper || !paper->false_negatives) continue;
       const PaperRate &fn = *paper->false_negatives, &fp = paper->false_positives;
       rows.push_back({{"class", name_of(contact)},
@@ -175,7 +165,7 @@ std::string report_page(const ReportPage& report, int threads) {
                      {"version", 1},
                      {"title", report.title},
                      {"command", report.command},
-                     {"methods", methods_json(report, methods)},
+                     {"methods", methods_json(methods)},
                      {"groups", groups},
                      {"paper", paper_json(report.rows, methods)},
                      {"tables", tables},

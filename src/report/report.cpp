@@ -6,7 +6,6 @@
 #include <map>
 
 #include "io/output_file.hpp"
-#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -22,15 +21,6 @@ std::string sort_of(const ReportedCase& reported) {
 }
 
 }  // namespace
-
-std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods) {
-  std::vector<MethodInfo> infos;
-  for (const std::string& method : methods) {
-    if (!names_plugin(method)) continue;
-    if (Result<MethodInfo> info = method_info(method)) infos.push_back(*std::move(info));
-  }
-  return infos;
-}
 
 void keep_most_telling(ReportPage& report, std::size_t most) {
   if (report.cases.size() <= most) return;

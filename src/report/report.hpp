@@ -9,7 +9,6 @@
 #include "eval/rows.hpp"
 #include "hunt/hunt.hpp"
 #include "io/table.hpp"
-#include "method/method.hpp"
 
 namespace ccdfuzz {
 
@@ -19,9 +18,6 @@ struct ReportTable {
   std::string title;  ///< one line
   Table table;
 };
-
-/// The descriptions of the plug-ins among the methods; starts those that were not started.
-std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
 
 /// How one method did on a case.
 struct ReportedAnswer {
@@ -51,9 +47,7 @@ struct ReportPage {
   std::string title;
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
-  std::vector<Row> rows;  ///< what figures are made of; untimed where nothing was timed
-  /// The descriptions of the plug-ins among the methods: to make a page starts none of them.
-  std::vector<MethodInfo> plugins;
+  std::vector<Row> rows;   ///< what figures are made of; untimed where nothing was timed
   HuntCourse course;       ///< for a hunt
   std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
   /// The curvatures of both patches of the positive cases at their contacts, as rms_curvature.

@@ -37,10 +37,10 @@ void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double p
 }
 
 void ReportRows::add_curvatures(const Case& known) {
-  if (!known.truth.collides.value_or(false)) return;
-  const auto curvatures = curvature_at_contact(known);
-  if (!curvatures) return;
-  for (const std::optional<Curvature>& one : *curvatures) {
+  const std::optional<Witness>& witness = known.truth.witness;
+  if (known.truth.collides != true || !witness) return;
+  for (size_t s = 0; s < 2; ++s) {
+    const auto one = curvature_at(known.query.patches[s], witness->uv[s], witness->t);
     if (one) curvatures_.add(one->rms());
   }
 }

@@ -89,17 +89,26 @@ TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
   EXPECT_EQ(count(none, R"(id="scoreboard")"), 0U);
 }
 
-TEST(ReportPage, HasAllButTracesWhenItsPluginsAreGone) {
+TEST(ReportPage, HasWhatPluginsSaidOfThemselvesAndNothingOfThoseThatAreGone) {
+  const ScratchFolder folder;
+  const std::string program = folder / "known";
+  write_text(program, R"(#!/bin/sh
+read question
+echo '{"protocol":1,"name":"mine","version":"1.0","conservative":true}'
+)");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  ASSERT_TRUE(name_plugin("known", "plugin-exec:" + program));
+  ASSERT_TRUE(std::filesystem::remove(program));
   ReportPage report;
-  const std::string gone = "plugin:./gone.so", known = "plugin-exec:./known";
+  const std::string known = "plugin:known", gone = "plugin:lost.so";
   report.cases = {reported("VV", Outcome::kMissed)};
   report.cases[0].answers.push_back({gone, Outcome::kMissed, std::nullopt});
   report.cases[0].answers.push_back({known, Outcome::kCorrect, 0.5});
-  report.plugins = {{known, "./known", "mine 1.0", true}};
   const Json data = data_of(report_page(report, 1));
   EXPECT_EQ(data["methods"][0]["spec"], "tdibm");
-  EXPECT_EQ(data["methods"][1], Json::parse(R"({"spec": "plugin-exec:./known", "source": "./known",
-                                    "description": "mine 1.0", "claims": true})"));
+  EXPECT_EQ(
+      data["methods"][1],
+      (Json{{"spec", known}, {"source", program}, {"description", "mine 1.0"}, {"claims", true}}));
   EXPECT_EQ(data["methods"][2], (Json{{"spec", gone}}));
   EXPECT_EQ(data["cases"][0][4], "mcm");
 }
