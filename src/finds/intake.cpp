@@ -128,39 +128,34 @@ Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const s
 
 Result<void> Intake::store_all() {
   const std::lock_guard lock(mutex_);
-  // Notices a folder that was replaced.
-  if (const auto loaded = store_.load(); !loaded) return noted(tl::unexpected(loaded.error()));
   return store_kept();
 }
 
 Result<void> Intake::store_kept() {
-  Result<void> stored;
-  constexpr int kPasses = 2;  // in the first the folder may turn out to have been replaced
-  for (int pass = 0; stored && pass < kPasses; ++pass) {
-    notice_replacement();
-    for (auto& [failure, kept] : kept_) {
-      if (kept.stored) continue;
-      const Result<Store::Put> done = put(failure, kept.find);
-      if (!done) {
-        // Where one cannot be stored, the others are no worse off.
-        if (stored) stored = tl::unexpected(done.error());
-        continue;
-      }
-      kept.stored = true;
-      kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
+  Result<void> stored = notice_replacement();
+  if (!stored) return noted(stored);
+  for (auto& [failure, kept] : kept_) {
+    if (kept.stored) continue;
+    const Result<Store::Put> done = put(failure, kept.find);
+    if (!done) {
+      // Where one cannot be stored, the others are no worse off.
+      if (stored) stored = tl::unexpected(done.error());
+      continue;
     }
+    kept.stored = true;
+    kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
   }
-  notice_replacement();
   return noted(stored);
 }
 
 /// A find that was stored in a folder that is gone is kept only here.
-void Intake::notice_replacement() {
-  const std::uint64_t times = store_.times_replaced();
-  if (std::exchange(times_replaced_, times) == times) return;
+Result<void> Intake::notice_replacement() {
+  CCDFUZZ_TRY(const std::uint64_t times, store_.times_replaced());
+  if (std::exchange(times_replaced_, times) == times) return {};
   for (auto& [failure, kept] : kept_) kept.stored = false;
   confirmed_.clear();
   std::ignore = noted(input_error(store_.folder(), "was removed"));
+  return {};
 }
 
 Result<void> Intake::noted(Result<void> result) {

@@ -106,7 +106,7 @@ class Intake {
   AskAgain again();
   bool fails_so(const NamedCase& entry, const Failure& failure);
   Result<std::optional<bool>> confirm_standing(const Failure& failure);
-  void notice_replacement();
+  Result<void> notice_replacement();
   Result<void> noted(Result<void> result);
 
   Store& store_;

@@ -273,9 +273,8 @@ std::string Store::path_of(const Failure& failure) const {
   return fmt::format("{}/{}.json", home_, file_stem(failure));
 }
 
-std::uint64_t Store::times_replaced() const {
-  const std::lock_guard one_at_a_time(*mutex_);
-  return times_replaced_;
+Result<std::uint64_t> Store::times_replaced() {
+  return locked([&]() -> Result<std::uint64_t> { return times_replaced_; });
 }
 
 }  // namespace ccdfuzz

@@ -78,8 +78,8 @@ class Store {
   const std::string& folder() const { return folder_; }
 
   /// How often the folder has turned out to be another one than before, as where it was removed and
-  /// made again. What was stored in the old one is not in it.
-  std::uint64_t times_replaced() const;
+  /// made again, which this does. What was stored in the old one is not in it. Errors: as put.
+  Result<std::uint64_t> times_replaced();
 
  private:
   /// An entry of any other name that showed a failure when it was read.
