@@ -42,29 +42,21 @@ int shift_into(double magnitude, int scale) {
 
 /// The patches near the origin if they are far from it, and of other sizes and speeds.
 void bring_to_scale(Query& query, int scale) {
-  const auto largest = [&](auto points_of) {
-    return std::max(largest_coordinate(points_of(query.patches[0])),
-                    largest_coordinate(points_of(query.patches[1])));
-  };
-  const auto positions = [](const MovingPatch<double>& p) -> const auto& {
-    return p.positions;
-  };
-  const auto moves = [](const MovingPatch<double>& p) -> const auto& {
-    return p.velocities;
-  };
-  if (largest(positions) > std::ldexp(1.0, scale)) {
+  if (largest_coordinate(query) > std::ldexp(1.0, scale)) {
     const Vec3<double> origin = query.patches[0].positions[0];
     for (MovingPatch<double>& patch : query.patches) {
       for (Vec3<double>& p : patch.positions) p -= origin;
     }
   }
-  const int in_space = shift_into(largest(positions), scale);
+  const int in_space = shift_into(largest_coordinate(query), scale);
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
   }
   query.separation = std::ldexp(query.separation, in_space);
   if (has_turns(query)) return;  // they turn from 0 to 1
-  const int in_time = shift_into(largest(moves), scale);
+  const double fastest = std::max(largest_coordinate(query.patches[0].velocities),
+                                  largest_coordinate(query.patches[1].velocities));
+  const int in_time = shift_into(fastest, scale);
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);
   }
