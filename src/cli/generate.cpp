@@ -139,7 +139,7 @@ std::string summary(const GenerationCost& cost) {
 
 void print_costs(const std::vector<GenerationCost>& costs, bool is_paper, bool json) {
   if (json) {
-    for (const GenerationCost& cost : costs) print_out(to_json(cost) + "\n");
+    for (const GenerationCost& cost : costs) print_row(cost);
   } else if (is_paper) {
     print_table(generation_table(costs));
   } else {

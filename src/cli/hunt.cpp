@@ -108,33 +108,21 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
   if (!finds.empty()) print_out("\n");
 }
 
-std::uint64_t query_count(const HuntReport& report) {
-  std::uint64_t count = 0;
-  for (const HuntCell& cell : report.cells) count += cell.tally.n;
-  return count;
-}
-
-std::uint64_t mutant_count(const std::vector<HuntCell>& cells) {
-  std::uint64_t count = 0;
-  for (const HuntCell& cell : cells) count += cell.bred.mutants;
-  return count;
-}
-
 std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
 }
 
 /// Below the table: what its columns count.
-std::string hunt_notes(const std::vector<HuntCell>& cells) {
+std::string hunt_notes(const HuntReport& report) {
   const auto is_plugin = [](const HuntCell& cell) { return names_plugin(cell.method); };
   std::string notes;
-  if (mutant_count(cells) > 0) {
+  if (report.course.back().mutants > 0) {
     notes += "The table counts drawn queries; mutants are only searched for counterexamples.\n";
   }
-  if (std::ranges::any_of(cells, is_plugin)) {
+  if (std::ranges::any_of(report.cells, is_plugin)) {
     notes += "mean: with the way to the plug-in's process and back\n";
   }
-  if (any_is_traced(cells)) {
+  if (any_is_traced(report.cells)) {
     notes += "lost: mutants whose known contact the method's tests discard\n";
   }
   return notes;
@@ -149,7 +137,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
   print_finds(stored, options.corpus);
   print_table(options.by_class ? hunt_table(report.cells) : method_table(report.cells));
   print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
-            column_notes(report.cells) + hunt_notes(report.cells));
+            column_notes(report.cells) + hunt_notes(report));
   if (stored.empty()) return;
   print_out(fmt::format("Show one:     {}\nRun them all: {}\n", command_of(*stored.front()),
                         replay_command(options.corpus, options.hunt.methods)));
@@ -162,8 +150,8 @@ void print_summary(const HuntReport& report, const std::string& folder) {
       std::ranges::count_if(stored, [](const Find* find) { return breaks_claim(find->failure); }));
   const std::uint64_t known = count_of(report, false);
   print_out(fmt::format("{} drawn and {} in {:.1f} s\n{} in {}{}{}\n",
-                        counted(query_count(report), "query", "queries"),
-                        counted(mutant_count(report.cells), "mutant", "mutants"), report.seconds,
+                        counted(report.course.back().queries, "query", "queries"),
+                        counted(report.course.back().mutants, "mutant", "mutants"), report.seconds,
                         counted(stored.size(), "new counterexample", "new counterexamples"), folder,
                         breaking == 0 ? "" : fmt::format(", {} breaking a guarantee", breaking),
                         known == 0 ? "" : fmt::format("; {} known", known)));
@@ -189,7 +177,7 @@ void print_report_json(const HuntReport& report) {
   }
   print_row([&](auto& row) {
     row.constant("row", "summary");
-    row("queries", query_count(report));
+    row("queries", report.course.back().queries);
     row("cases", report.cases);
     row("finds", count_of(report, true));
     row("known", count_of(report, false));
@@ -199,7 +187,7 @@ void print_report_json(const HuntReport& report) {
 
 /// No draw is on the ground, or there was no time for any: then nothing was checked.
 bool asked_nothing(const HuntReport& report) {
-  return query_count(report) == 0 && mutant_count(report.cells) == 0;
+  return report.course.back().queries + report.course.back().mutants == 0;
 }
 
 void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {

@@ -52,7 +52,7 @@ int merge_made(const MergeOptions& options, Session& session) {
       run, [&](std::string_view, MadeCases made) { need(set.add(std::move(made))); });
   need(set.finish());
   if (session.json) {
-    for (const GenerationCost& cost : set.costs()) print_out(to_json(cost) + "\n");
+    for (const GenerationCost& cost : set.costs()) print_row(cost);
   } else {
     print_table(generation_table(set.costs()));
   }
@@ -84,7 +84,7 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   need(write_tables(options.output, rows, need(read_costs(run.header().inputs))));
   need(answers.commit());
   if (session.json) {
-    for (const Row& row : by_kinds(rows)) print_out(to_json(row) + "\n");
+    for (const Row& row : by_kinds(rows)) print_row(row);
   }
   session.summary(fmt::format("the answers to {} cases of {} folders in {}", cases,
                               options.inputs.size(), options.output));

@@ -268,7 +268,6 @@ class Hunt {
     report_.draw_cpu_seconds += done.draw_seconds;
     cell.tally.merge(done.tally);
     cell.cpu_seconds += done.answer_seconds;
-    queries_ += done.tally.n;
     for (const Failure& failure : done.met) met_ = met_ || failure.outcome == options_.until;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
     show(options_.cases ? schedule_.share_done() : watch_.seconds() / options_.seconds, done.met);
@@ -277,7 +276,6 @@ class Hunt {
   void show(double share, const std::vector<Failure>& met = {}) {
     HuntProgress now;
     now.seconds = watch_.seconds();
-    now.queries = queries_;
     now.finds = intake_.count();
     now.share = std::min(share, 1.0);
     now.trouble = intake_.trouble();
@@ -286,6 +284,7 @@ class Hunt {
     for (const auto& [method, contact, tally, cpu_seconds, bred] : report_.cells) {
       const auto m = std::ranges::find(options_.methods, method) - options_.methods.begin();
       std::optional<std::uint64_t>& least = now.margins[static_cast<size_t>(m)];
+      now.queries += tally.n;
       now.mutants += bred.mutants;
       if (bred.margin && (!least || *bred.margin < *least)) least = bred.margin;
     }
@@ -335,7 +334,6 @@ class Hunt {
   Schedule schedule_;
   std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
   std::uint64_t recorded_ = 0;                              ///< turns before which none waits
-  std::uint64_t queries_ = 0;
   double next_sample_ = 0;  ///< the share at which HuntReport::course goes on
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;

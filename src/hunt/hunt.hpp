@@ -77,7 +77,8 @@ struct HuntSample {
 struct HuntReport {
   std::vector<HuntCell> cells;  ///< class by class, within it method by method
   std::vector<Find> finds;      ///< one for every failure that was met, known ones among them
-  /// At every 1/200 of the hunt and at its end. By cases all but the seconds repeats exactly.
+  /// At every 1/200 of the hunt and at its end, which comes last. By cases all but the seconds
+  /// repeats exactly.
   std::vector<HuntSample> course;
   std::uint64_t cases = 0;  ///< draws of each class, of the method that had most
   double seconds = 0;
