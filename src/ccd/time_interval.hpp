@@ -11,7 +11,7 @@ struct TimeWindow {
   S hi;
 };
 
-/// A closed time interval in which a pair of cells may touch; lo ≤ hi.
+/// A closed time interval in which a pair of cells may touch; lo ≤ hi, or nothing is left of it.
 using Window = TimeWindow<double>;
 
 /// What two windows share; none where lo > hi.

@@ -13,7 +13,8 @@ namespace ccdfuzz {
 
 /// A signed integer of at most Bits bits on the stack. Operations cost what the numbers at hand are
 /// long, not what Bits allows. Results are exact; whoever chooses Bits proves that all fit, and one
-/// that does not throws InternalError.
+/// that does not throws InternalError. A product needs the limbs of both factors together: that may
+/// be one limb more than the result has.
 template <int Bits>
 class BoundedInt {
   static_assert(Bits > 0 && Bits % 64 == 0);

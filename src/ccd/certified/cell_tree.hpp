@@ -12,8 +12,9 @@
 namespace ccdfuzz::certified {
 
 /// The sub-patches of one moving patch, each made once by midpoint subdivision of its parent and
-/// kept. A net stores each control point in kPerPoint places: position x, y, z, 0, velocity x, y,
-/// z, 0; of a rational patch all times its weight w, and w in place of the first 0.
+/// kept. Children cover their parent, and a net's hull holds its cell: so Laws A, B and C lose no
+/// contact of the patch. A net stores each control point in kPerPoint places: position x, y, z, 0,
+/// velocity x, y, z, 0; of a rational patch all times its weight w, and w in place of the first 0.
 class CellTree {
  public:
   using Node = std::uint32_t;
@@ -23,9 +24,10 @@ class CellTree {
   void reset(const Shape& shape, std::span<const std::array<double, 6>> controls,
              std::span<const double> weights = {});
 
-  /// Takes the trim of a patch, for outside(). Call it before reset, which gets the same patch.
+  /// Takes the loops of a patch, for outside(). Call it before reset, which gets the same patch.
   void trim(const MovingPatch<double>& patch) { region_.assign(patch); }
-  /// Bit c for child c that is outside of the trim. Requires that children(parent) was called.
+  /// Bit c for child c that is outside of the loops' region. Requires that children(parent) was
+  /// called.
   unsigned outside(Node parent) const { return nodes_[parent]->outside; }
 
   /// First of shape.child_count() consecutive children. A point is its own child.
@@ -38,8 +40,9 @@ class CellTree {
   const Shape& shape() const { return shape_; }
   /// Control points of a net.
   int count() const { return static_cast<int>(stride_) / kPerPoint; }
-  /// Roundings behind each control point of a node at this depth. A rational patch has those of
-  /// numerator and weight, of the first product and of the quotient.
+  /// Roundings behind each control point of a node at this depth: Law C counts them, and beside
+  /// them NormalisedQuery::roundings. A rational patch has those of numerator and weight, of the
+  /// first product and of the quotient.
   int roundings(int depth) const {
     const int averages = program_->roundings * depth;
     return is_rational_ ? 2 * averages + 2 : averages;

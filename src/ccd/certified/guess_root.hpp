@@ -9,7 +9,8 @@ namespace ccdfuzz::certified {
 
 /// Where in [0, 1) a polynomial with these coefficients, of powers from 0 up, may have a root. The
 /// guess is by the chord, then by Newton's steps. A step that would leave the interval halves it
-/// instead. Requires that the signs at both ends differ. A bad guess costs time alone.
+/// instead. Requires that the signs at both ends differ. No law needs the guess: a bad one costs
+/// time alone.
 inline double guess_root(const std::array<double, 4>& c) {
   constexpr int kSteps = 12;
   /// A step of Newton's leaves an error about the square of its length.

@@ -17,7 +17,7 @@ inline constexpr int kLanes = 4;
 using Lanes = std::array<double, kLanes>;
 
 /// Component k of axis i at [k][i]. Lanes that no axis needs are zero: such an axis separates
-/// nothing.
+/// nothing, since all of its heights are 0 and its bound is not below 0.
 struct alignas(32) AxisBatch {
   std::array<Lanes, 3> axes{};
 };
@@ -28,7 +28,7 @@ struct alignas(32) RangeBatch {
   [[no_unique_address]] Provenance of;
 };
 
-/// Error bounds on four axes.
+/// Error bounds on four axes: E of Law C, and what a separation adds to it.
 struct Bounds {
   Lanes on;
   [[no_unique_address]] Basis made_from;
@@ -55,8 +55,8 @@ struct Snapshot {
 void take_snapshot(const double* net, int count, double t0, double t1, double* out);
 
 /// The same, and the extents on the coordinate axes in the first three lanes; zeros in the last.
-/// count ≥ 1. An extent starts from the first point: if all are NaN it is NaN, and separates
-/// nothing.
+/// count ≥ 1. An extent starts from the first point. Requires finite numbers, as NormalisedQuery
+/// has: beside a NaN at t0, compare would see t1 alone.
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
                    RangeBatch& ranges);
 
@@ -65,13 +65,14 @@ void take_snapshot(const double* net, int count, double t0, double t1, double* o
 void split_net(const MidpointProgram& program, const double* net, int count, double* slots,
                double* children);
 
-/// Extents of a snapshot on four axes; a height is (l₀x + l₁y) + l₂z.
+/// Extents of a snapshot on four axes; a point's height is (l₀x + l₁y) + l₂z. Law C counts its
+/// roundings.
 void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out);
 
 /// Which of four axes separate two nets in a window by more than the bound: bit i for axis i.
 struct SeparatingAxes {
-  unsigned throughout = 0;  ///< at both ends, with the same net below (Law A)
-  unsigned at_an_end = 0;   ///< at one end at least
+  unsigned throughout = 0;  ///< at both ends, with the same net below (Laws A and C)
+  unsigned at_an_end = 0;   ///< at one end at least (Law C)
 };
 /// Requires extents at the ends of one window, and bounds made for the roundings of both.
 SeparatingAxes compare(const RangeBatch& a, const RangeBatch& b, const Bounds& bounds);
@@ -80,8 +81,8 @@ SeparatingAxes compare(const RangeBatch& a, const RangeBatch& b, const Bounds& b
 SeparatingAxes project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
                                    const Bounds& bounds, std::array<RangeBatch, 2>& ranges);
 
-/// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates throughout; `pairs` are
-/// looked at.
+/// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates throughout (Laws A and C).
+/// Only `pairs` are looked at.
 unsigned not_separated(const RangeBatch* a, const RangeBatch* b, unsigned pairs,
                        const Bounds& bounds);
 

@@ -12,7 +12,7 @@ namespace ccdfuzz::certified {
 /// What advancing found out. Nothing touches at any t in [0, time); with kClear, in [0, t_max].
 struct Advancement {
   enum class Kind : std::uint8_t {
-    kClear,    ///< nothing touches
+    kClear,    ///< nothing touches (Law A up to t_max)
     kStopped,  ///< at `time` no axis tells the patches apart, or none for a longer time
     kSlow,     ///< not decided: steps become short
   };
@@ -27,8 +27,8 @@ bool is_linear_pair(const Shape& a, const Shape& b);
 
 /// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
 /// patches at t (Law C) is followed to a time at which it still does. So it did between (Law A),
-/// and there the next is chosen. Requires is_linear_pair. observer: told of each axis that
-/// separates at the time reached, and until when.
+/// and there the next is chosen. Requires is_linear_pair and FpGuard::holds(). observer: told of
+/// each axis that separates at the time reached, and until when.
 Advancement advance(const NormalisedQuery& query, ExclusionObserver* observer = nullptr);
 
 /// Parameters of points of both patches that are nearest to each other at the normalised time t, as

@@ -10,8 +10,8 @@ namespace ccdfuzz::certified {
 struct LinearContact {
   enum class Kind : std::uint8_t {
     kNone,     ///< they touch at no t in [0, t_max]
-    kProven,   ///< they touch, first at `toi` or soon after
-    kOpen,     ///< not decided: roots that 2^-512·t_max does not part (Law L3)
+    kProven,   ///< they touch, first at `toi` or soon after (Law L8)
+    kOpen,     ///< not decided: roots that 2^-512·t_max does not part (Laws L3 and L5)
     kTooWide,  ///< not decided, and nothing is known: numbers of too many binary places (Law L7)
   };
   Kind kind = Kind::kTooWide;
@@ -22,6 +22,11 @@ struct LinearContact {
 /// Decides a linear query in integers, without rounding and without allocating (DERIVATION.md, 7).
 /// Up to level kShortLevel short_contact is asked first. What it leaves open is tried at each root
 /// that may be the first contact (Law L2), by the polygon there (Law L1).
+/// Law L2: the first contact is at 0 or at a root of the determinant. If that is 0 throughout, the
+/// first contact is at 0 or at a root of a cross. If crosses are 0 throughout, too, it is at 0 or
+/// at a root of a corner's coordinate.
+/// Each root is the only one in a part of the time step (Law L3), or it is repeated and a ratio
+/// (Law L4). The sign of another polynomial there is found, too (Law L5). Integers fit (Law L6).
 /// It covers a query if the numbers of each coordinate by itself are multiples of one power of two,
 /// and less than 2^254 times it. These numbers are positions, and velocities times t_max. A proven
 /// contact is at toi + 2^-level·t_max at most, but for the rounding of toi (Law L8); level ≤ 50.

@@ -14,6 +14,7 @@ inline double dot_of(const Axis& a, const Axis& b) {
 
 /// The differences of all pairs of control points, D + t·W: the patches touch iff the origin is in
 /// their convex hull. Four for edges, where a point is an edge of no extent; three for a face.
+/// Laws C and L9 count the roundings of D, W and D + t·W.
 struct Differences {
   std::array<Axis, 4> start{}, way{};
   int count = 0;

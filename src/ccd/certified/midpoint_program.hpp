@@ -16,7 +16,8 @@ struct MidpointProgram {
   };
   std::vector<Step> steps;
   std::vector<std::vector<int>> children;
-  /// No slot has more than this many roundings behind it: one per argument of the blossom.
+  /// No slot has more than this many roundings behind it: one per argument of the blossom. Law C
+  /// counts them.
   int roundings = 0;
 
   explicit MidpointProgram(const Shape& shape);

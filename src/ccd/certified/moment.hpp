@@ -14,7 +14,7 @@ inline constexpr int kMostLevels = 512;
 class Moment {
  public:
   explicit Moment(const TimeRatio& ratio) : ratio_(ratio) {}
-  /// Requires: one root in the part, which is simple.
+  /// Requires: one root in the part, which is simple (Law L3).
   Moment(const TimePolynomial& of, const TimePart& part) : of_(&of), part_(part) {}
 
   /// Halves the part until it is of this level. A time that turns out to be an end of one is a
@@ -26,7 +26,8 @@ class Moment {
     const SignsOnPart signs = q.signs_on(part_);
     return signs.changes == 0 ? std::optional(signs.at_lo) : std::nullopt;
   }
-  /// The sign of q at this time (Law L5); nothing if not even a part of kMostLevels tells.
+  /// The sign of q at this time (Law L5): 0 if a common divisor has the root, otherwise the sign on
+  /// a part in which q has none. Nothing if not even a part of kMostLevels tells.
   std::optional<int> sign_of(const TimePolynomial& q);
   /// No more than the time.
   TimeRatio lower_bound() const {

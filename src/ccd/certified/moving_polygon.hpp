@@ -11,7 +11,7 @@ namespace ccdfuzz::certified {
 /// A moving polygon, whose corners are the differences of control points, about the origin: both
 /// patches touch where the origin is in it. Signs of crosses and of the determinant tell that (Law
 /// L1). A triangle, of equal corners where there are fewer, or a parallelogram. Integers:
-/// LongIntegers or ShortIntegers.
+/// LongIntegers, whose sizes are Law L6, or ShortIntegers, whose sizes are in Law L10.
 template <class Integers>
 class MovingPolygon {
  public:
@@ -28,7 +28,8 @@ class MovingPolygon {
   std::size_t corners() const { return corners_; }
   /// Coordinate k of a corner.
   const Corner& corner(std::size_t i, std::size_t k) const { return corner_[i][k]; }
-  /// Component k of corner i × corner j, where j follows i: the first follows the last.
+  /// Component k of corner i × corner j, where j follows i: the first follows the last. Law L1:
+  /// there is no contact where two of one component have opposite signs.
   const Cross& cross(std::size_t i, std::size_t k) {
     if (!std::exchange(has_cross_[i][k], true)) {
       const std::size_t j = (i + 1) % corners_, y = (k + 1) % 3, z = (k + 2) % 3;
@@ -36,7 +37,7 @@ class MovingPolygon {
     }
     return cross_[i][k];
   }
-  /// The determinant of three corners.
+  /// The determinant of three corners. Law L1: it is 0 wherever the patches touch.
   Determinant determinant() {
     return corner(0, 0) * cross(1, 0) + corner(0, 1) * cross(1, 1) + corner(0, 2) * cross(1, 2);
   }

@@ -14,7 +14,7 @@ inline constexpr double kLeastAbsolute = 0x1p-1000;
 
 /// A query brought to magnitude 1 by steps whose rounding is known. No finite input then
 /// overflows later, and what underflows is below `absolute`. The error bound scales with the scene,
-/// not with its distance from the origin.
+/// not with its distance from the origin. Laws C and L9 rest on the inequalities here.
 ///
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component
@@ -32,13 +32,13 @@ struct NormalisedQuery {
   std::array<std::vector<double>, 2> weights;
   std::array<int, 2> weight_shift{};
   double t_max = 0;
-  int time = 0;   ///< t = t'·2^time
+  int time = 0;   ///< a binary exponent: t = t'·2^time
   int space = 0;  ///< lengths are scaled by 2^space
   /// Σ over sides of max|p'| + max|v'|, three sums rounded to nearest (the M of DERIVATION.md).
   double magnitude = 0;
   /// The query's separation, scaled, rounded up.
   double separation = 0;
-  /// What ends add to the roundings behind a control point at any time.
+  /// What ends add to the roundings behind a control point at any time: Laws C and L9 count them.
   int roundings = 0;
   /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite if scaling down by 4 may have
   /// lost all relative positions (some coordinates near 2^1023 and equal, the differences

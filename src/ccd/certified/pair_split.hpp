@@ -28,7 +28,8 @@ struct CellPair {
 /// The inclusion test of tdibm-c (DERIVATION.md, 0). It splits a pair of cells. For each pair of
 /// their children it finds the part of the window in which no axis certifies them apart.
 /// Guarantee: a time at which two children touch is never taken from their window, nor the pair
-/// dropped. One object serves one thread and keeps its buffers between queries.
+/// dropped. Laws A, B and C say what an axis takes from a window. Any vector is an axis. Requires
+/// FpGuard::holds(). One object serves one thread and keeps its buffers between queries.
 class PairSplit {
  public:
   using Node = CellTree::Node;
@@ -47,8 +48,9 @@ class PairSplit {
     for (size_t s = 0; s < 2; ++s) trees_[s].trim(query.patches[s]);
   }
   /// Makes the whole patches of the query taken last, before the first split.
-  /// finest: the depth to which pairs will be split. Pairs of coarser depth skip the remaining axes
-  /// if the first batch shortened the window at neither end. This may add splits; it drops nothing.
+  /// finest: the depth to which pairs will be split. Pairs of coarser depth skip all but the first
+  /// batch of CandidateAxes if nothing has shortened their window by then. This may add splits; it
+  /// drops nothing.
   void begin(int finest);
 
   const NormalisedQuery& query() const { return query_; }
@@ -96,6 +98,7 @@ class PairSplit {
   };
 
   Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }
+  /// Counts the roundings of Law C anew, to check CellTree::roundings where assertions are on.
   Provenance provenance(int side, Node cell, const Window& window) const {
     const Shape& shape = query_.shapes[static_cast<size_t>(side)];
     const int averages = (shape.n + shape.m) * trees_[side].depth(cell);
@@ -109,14 +112,19 @@ class PairSplit {
 
   void prepare(const CellPair& pair, const std::array<unsigned, 2>& wanted);
   void make_extents(int side, unsigned children);
+  /// Drops pairs by Laws A and C.
   unsigned test(const SharedAxes& shared, unsigned pairs, ExclusionObserver* observer) const;
+  /// Shortens w by Law B. Returns lo > hi where nothing is left.
   Window trim(const SharedAxes& shared, int a, int b, ExclusionObserver* observer, Window w);
   bool narrow(int a, int b, ExclusionObserver* observer, CellPair& kept);
+  /// Counts a window of which several axes together exclude all (Laws A and B). Returns false.
   bool drop_together([[maybe_unused]] const Window& left) {
     CCDFUZZ_ASSERT(left.lo > left.hi);
     ++tiers_.together;
     return false;
   }
+  /// Drops the pair by Laws A and C, or shortens its window by Law B, then by Laws A and C
+  /// (Newton).
   bool narrow_by_own_axes(int a, int b, ExclusionObserver* observer, CellPair& kept);
 
   /// Deeper down windows are so short that h is almost a line, whose root the chord finds.
@@ -130,9 +138,9 @@ class PairSplit {
   // The split at hand.
   Window window_{};                       ///< where the parents may touch
   std::array<std::uint8_t, 2> depths_{};  ///< how deep the children are
-  HeightErrorBound error_;
-  bool newton_ = false;  ///< the parents are coarse enough for it
-  bool coarse_ = false;  ///< the children will be split further
+  HeightErrorBound error_;                ///< E of Law C for the children
+  bool newton_ = false;                   ///< the parents are coarse enough for it
+  bool coarse_ = false;                   ///< the children will be split further
   Children children_[2];
   SharedAxes coordinate_, shared_;
   alignas(32) SnapshotValues values_[2];  ///< for a pair in its own window

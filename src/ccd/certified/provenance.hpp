@@ -24,7 +24,7 @@ struct Basis {
 #else
 
 /// Where numbers at both ends of a window come from: the window, and how many roundings are behind
-/// the control points.
+/// the control points. Laws A and B are of the ends of one window.
 struct Provenance {
   Window window{};
   int roundings = 0;
@@ -34,7 +34,8 @@ struct Provenance {
   bool is_of(const Window& w) const { return window.lo == w.lo && window.hi == w.hi; }
 };
 
-/// What error bounds were made from, and the 1-norms of their axes.
+/// What error bounds were made from, and the 1-norms of their axes. Law C holds for no more
+/// roundings than these.
 struct Basis {
   double magnitude = 0, absolute = 0;
   int roundings = 0;

@@ -62,7 +62,7 @@ struct ShortPolynomial {
   }
 };
 
-/// What MovingPolygon is made of, for numbers of two limbs: see DERIVATION.md, 7, L10.
+/// What MovingPolygon is made of, for numbers of two limbs. All of it fits (DERIVATION.md, 7, L10).
 struct ShortIntegers {
   static constexpr int kBits = 125;
   using Int = WideInt<128>;
@@ -71,7 +71,8 @@ struct ShortIntegers {
   using Determinant = ShortPolynomial<3, 384>;
 };
 
-/// The same in doubles, each within a relative error of 2^-52; no coefficient but 0 is below 1.
+/// A ShortPolynomial in doubles, each within a relative error of 2^-52. No coefficient but 0 is
+/// below 1. rough_contact has no use for it.
 template <int Degree>
 struct RoughPolynomial {
   std::array<double, Degree + 1> c;
@@ -81,8 +82,9 @@ struct RoughPolynomial {
     for (std::size_t i = 0; i <= Degree; ++i) c[i] = p.c[i].approximate();
   }
 
-  /// The sign that the polynomial has on all of [x − radius, x + radius], if doubles tell. Requires
-  /// 0 ≤ x ≤ 1 + 2^-50 and no time looked at beyond that, x = 0 or x ≥ 2^-400.
+  /// The sign that the polynomial has on all of [x − radius, x + radius], if doubles tell (Law
+  /// L10). Times are in [0, 1], and x is one, rounded: 0 ≤ x ≤ 1 + 2^-50. Requires x = 0 or x ≥
+  /// 2^-400. With radius = 0, x is a multiple of 2^-45: powers of less may underflow unseen.
   std::optional<int> sign_about(double x, double radius) const {
     double value = c[Degree], size = std::abs(c[Degree]), slope = Degree * size;
     for (std::size_t i = Degree; i-- > 0;) {

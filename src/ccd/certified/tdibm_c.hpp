@@ -13,30 +13,35 @@ namespace ccdfuzz {
 /// Read next: PairSplit (the test of a pair), window_trim.hpp (Laws A and B, how a window shrinks),
 /// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries, in the order in
 /// which they are asked: linear_advance.hpp (Laws A and C), rough_contact.hpp (Law L9),
-/// short_contact.hpp (Law L10), linear_contact.hpp (Laws L1 to L8).
+/// short_contact.hpp (Law L10), linear_contact.hpp (Laws L1 to L8). Those on doubles need rounding
+/// to nearest, without FTZ and DAZ: answer sees to that (FpGuard).
 ///
 /// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis, or
-/// outside of a trim (below). On the axis the two control nets are apart by more than the error
-/// bound. They are so at both ends of the dropped time (Law A), or from one end up to the root of a
-/// chord (Law B). By convexity the axis then separates them throughout. So
+/// outside of a patch's loops (below). On the axis the two control nets are apart by more than the
+/// error bound (Law C). They are so at both ends of the dropped time (Law A), or from one end up to
+/// the root of a chord (Law B). By convexity the axis then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;
-///   hit        a pair of cells no wider than `precision` could not be separated in its window,
-///              which begins at toi or at most 2^-20·t_max later; every contact is at toi or later;
+///   hit        a pair of cells no wider than max(precision, 2^-50) could not be separated in its
+///              window, which begins at toi or at most 2^-20·t_max later; every contact is at toi
+///              or later;
 ///   undecided  a budget ran out; every contact is at toi or later;
 ///   refused    the query is not valid, or an option is out of range (is_taken). Any bits may be
 ///              passed, NaN and infinity too.
 /// How early toi can be: no time after the begin of that window is certified clear for the pair. So
 /// toi is early by at most 2^-20·t_max and the time in which the pair's hulls, of diameter
 /// O(precision), approach each other.
+/// With the precision 1 the whole patches are such a pair, and no axis is put to them. So they are
+/// a hit at 0, unless they are decided as linear patches.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. A hit's cells are not proven to be outside.
 /// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at
-/// toi + precision·t_max at most. Where numbers differ by too many binary places, or roots by too
-/// few (first_linear_contact), only what is said above holds. The answer's note says so then.
+/// most max(precision, 2^-43)·t_max after toi. A subnormal toi is rounded down besides.
+/// Where numbers differ by too many binary places, or roots by too few (first_linear_contact), only
+/// what is said above holds. The answer's note says so then.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
-/// When its window begins, a hit's cells are no farther apart than d and both diameters. A hit on
-/// linear patches is decided only as far as doubles tell the distance from d. Keeps at most
-/// kKeptBytes between queries.
+/// That a hit's cells are about as near as d is tested (separation.not_early), but not proven.
+/// A hit on linear patches is decided only as far as doubles tell the distance from d.
+/// Keeps at most kKeptBytes between queries.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);
@@ -56,7 +61,8 @@ class TdibmC {
   static_assert(sizeof(Entry) == 64);
 
   Answer decide(const Query& query, const SearchOptions& options);
-  /// What the linear patches of split_ show; nullopt where the general search must decide. It may
+  /// What the linear patches of split_ show: by Laws A and C, then, without a separation, by Laws
+  /// L9, L10 and L1 to L8. Returns nullopt where the general search must decide, which may then
   /// begin at `from`.
   std::optional<Answer> decide_linear(const Query& query, const SearchOptions& options, int target,
                                       double& from);

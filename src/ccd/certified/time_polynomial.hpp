@@ -25,11 +25,12 @@ struct TimeRatio {
 /// What the coefficients of a polynomial tell of a part.
 struct SignsOnPart {
   bool zero_at_lo = true, zero_at_hi = true;
-  int at_lo = 0, at_hi = 0;  ///< the sign just inside each end; 0 of the zero polynomial alone
+  int at_lo = 0, at_hi = 0;  ///< the sign just inside each end; 0 for the zero polynomial alone
   /// Descartes' bound (Law L3): the number of roots inside, with their multiplicities, is this or
   /// less by an even number. So 0 and 1 are what they say.
   int changes = 0;
 
+  /// The number of roots inside is odd. Law L5 asks this of a divisor with one root at most.
   bool odd_roots() const { return at_lo != at_hi; }
 };
 
@@ -79,8 +80,8 @@ struct LongIntegers {
   using Determinant = TimePolynomial;
 };
 
-/// The greatest common divisor of two polynomials, not both 0, up to a constant factor. It finds
-/// repeated roots (Law L4) and common ones (Law L5).
+/// The greatest common divisor of two polynomials, not both 0, up to a constant factor. With the
+/// derivative it has the repeated roots (Law L4), with another polynomial the common ones (Law L5).
 TimePolynomial gcd(TimePolynomial a, TimePolynomial b);
 
 }  // namespace ccdfuzz::certified

@@ -8,7 +8,8 @@
 namespace ccdfuzz::certified {
 
 /// Two nets whose separation on one axis is in question. h(t) = max of one − min of the other is
-/// convex in t, so that h certified negative at two times is negative between them.
+/// convex in t, so that h certified negative at two times is negative between them. That holds for
+/// nets with weights, too: those do not move, so what is divided by them moves linearly.
 struct NetPair {
   const double* net[2];
   int count[2];
@@ -28,7 +29,7 @@ struct Gaps {
     CCDFUZZ_ASSERT(b.of.is_of(a.of.window));
   }
 
-  /// Separated throughout the window, certainly.
+  /// Separated throughout the window, certainly. bound: E of Law C, and what a separation adds.
   bool separated(double bound) const {
     // Laws A and C
     return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
@@ -36,6 +37,7 @@ struct Gaps {
 
   /// Separated at one end at least, certainly.
   bool separated_at_an_end(double bound) const {
+    // Law C
     return at_lo[0] < -bound || at_hi[0] < -bound || at_lo[1] < -bound || at_hi[1] < -bound;
   }
 };
@@ -53,7 +55,7 @@ inline double chord_root(double t0, double h0, double t1, double h1) {
   // The last sum rounds by half an ulp of t: one step back covers it.
   const double root = t0 < t1 ? std::max(t0, next_down(t)) : std::min(t0, next_up(t));
   CCDFUZZ_ASSERT(std::min(t0, t1) <= root && root <= std::max(t0, t1));
-  // The chord itself there, but for ten roundings of it.
+  // The chord is not above 0 at the root, but for ten roundings of this check.
   CCDFUZZ_ASSERT((root - t0) / (t1 - t0) * (h1 - h0) <= -h0 * (1 + 0x1p-49));
   return root;
 }
@@ -78,16 +80,17 @@ inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
   CCDFUZZ_ASSERT(w.hi == whole.hi || (whole.lo < w.hi && w.hi < whole.hi));
 }
 
-/// h(t) of two nets on one axis, and its slope where it has one.
+/// h(t) of two nets on one axis, and its slope where it has one. A line's height at t is rounded in
+/// another order than a point's (kernels.hpp). Law C covers both.
 class HeightLines {
  public:
   struct Gap {
-    double height, slope;
+    double height, slope;  ///< those of h
   };
 
   HeightLines(const NetPair& nets, const Axis& axis);
 
-  /// below: which side is the lower one.
+  /// below: which side is the lower one, as `sign` in Gaps.
   Gap gap(int below, double t) const;
   /// Each point of side `below` is lower than each of the other by more than `bound`: for
   /// assertions.
@@ -100,11 +103,12 @@ class HeightLines {
   std::array<PerPoint, 2> slopes_, intercepts_;
 };
 
-/// Moves one end of w inward, to a time at which separation is certified again; Law A covers the
-/// time between. Newton's iteration looks for it from the other end of `seen`. sign: which side is
-/// below; both signs start from the same window, so exchanging the patches changes no result.
-/// Requires that separation on the axis is certified at the end that moves, or at the one from
-/// which a chord on this axis moved it. Returns false if no step was certified.
+/// Moves one end of w inward, to a time at which separation is certified again (Law C). Law A
+/// covers the time between. low_end: w.lo moves, otherwise w.hi. Newton's iteration starts from the
+/// other end of `seen`, the window that the chords of both signs left. sign: which side is below;
+/// both signs start from the same window, so exchanging the patches changes no result. Requires
+/// that the axis certifies separation at the end that moves. If a chord has moved that end before,
+/// the axis certified it where the end was. Returns false if no step was certified.
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w);
 
