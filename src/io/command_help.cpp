@@ -147,6 +147,8 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const size_t at = text.find(verb);
     if (at != std::string::npos && text.find(' ') == at) return text.insert(at, ":");
   }
+  const size_t repeated = text.find(": At Most 1 required");
+  if (repeated != std::string::npos) return text.substr(0, repeated) + ": is given more than once";
   constexpr std::string_view kMissing = ": 1 required ";
   const size_t at = text.find(kMissing);
   if (at == std::string::npos) return text;

@@ -64,6 +64,15 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
+/// Whether the path is that of the standard output, such as /dev/stdout. Its file may have no name
+/// by now, and what others write to it stays.
+bool is_standard_output(const std::string& path) {
+  using Status = struct stat;
+  Status at_path{}, standard{};
+  return ::stat(path.c_str(), &at_path) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
+         at_path.st_dev == standard.st_dev && at_path.st_ino == standard.st_ino;
+}
+
 }  // namespace
 
 std::optional<int> temporary_writer(std::string_view file_name) {
@@ -109,6 +118,11 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) return system_error(path, "write", EISDIR);
+  if (is_standard_output(path)) {
+    file.descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+    if (file.descriptor_ < 0) return system_error(path, "write", errno);
+    return file;
+  }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file.descriptor_ < 0) return system_error(path, "write", errno);
