@@ -105,49 +105,56 @@ struct TraceArguments {
   bool all = false;
 };
 
-/// How a case is traced. Throws BadInput: it has no witness within its step.
-TraceOptions trace_options(const TraceArguments& options, const NamedCase& named) {
+/// What is shown of a case: a trace of each method that takes it, or why none is made.
+struct Traced {
+  std::vector<std::optional<Trace>> by_methods = {};
+  std::optional<InputError> why_not = {};
+};
+
+/// Why no method can be traced on a case, if so.
+std::optional<InputError> untraced(const NamedCase& named) {
+  const Query& query = named.value.query;
   const auto& witness = named.value.truth.witness;
-  if (!witness) throw BadInput{{named.id + ": truth.witness", "is missing: nothing to trace"}};
-  if (witness->t > exact(named.value.query.t_max)) {
-    throw BadInput{{named.id + ": truth.witness.t",
-                    fmt::format("{} is past t_max {}: nothing to trace", to_text(witness->t),
-                                named.value.query.t_max)}};
+  if (!witness) return InputError{named.id + ": truth.witness", "is missing: nothing to trace"};
+  if (witness->t > exact(query.t_max)) {
+    return InputError{
+        named.id + ": truth.witness.t",
+        fmt::format("{} is past t_max {}: nothing to trace", to_text(witness->t), query.t_max)};
   }
-  return {options.search.options_for(named.value).precision, options.all};
+  if (!is_of_bodies(query)) return std::nullopt;
+  return InputError{named.id, "is of bodies, which have no boxes to trace; patches are accepted"};
 }
 
 int run_trace(const TraceArguments& options, Session& session) {
   for (const std::string& method : options.methods)
     need(make_tracer(method));  // no plug-in has one
   session.begin_table(trace_columns());
-  const bool is_default = options.methods == default_methods();
-  std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0;
+  std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0, left_out = 0;
+  std::optional<InputError> first_why_not;
   tbb::enumerable_thread_specific<TracerSet> tracers;
-  session.each_case<std::vector<std::optional<Trace>>>(
+  session.each_case<Traced>(
       CaseStream(options.files),
-      [&](NamedCase& named) {
+      [&](NamedCase& named) -> Traced {
         need(decided_and_checked(named));
+        Traced made{.why_not = untraced(named)};
+        if (made.why_not) return made;
         const Case& known = named.value;
-        const TraceOptions how = trace_options(options, named);
-        if (is_of_bodies(known.query)) {
-          throw BadInput{
-              {named.id, "is of bodies, which have no boxes to trace; patches are accepted"}};
-        }
-        std::vector<std::optional<Trace>> made;
+        const TraceOptions how = {options.search.options_for(known).precision, options.all};
         for (const std::string& method : options.methods) {
           const Result<void> taken = check_taken(method, known.query);
-          if (!is_default) need(taken);
-          std::optional<Trace>& trace = made.emplace_back();
+          std::optional<Trace>& trace = made.by_methods.emplace_back();
           if (taken) trace = tracers.local()[method].trace(known.query, *known.truth.witness, how);
+          if (!taken) made.why_not = taken.error();
         }
         return made;
       },
-      [&](const NamedCase& named, const std::vector<std::optional<Trace>>& of_methods) {
+      [&](const NamedCase& named, const Traced& traced) {
         ++cases;
+        const bool is_first = traced.by_methods.empty() ? left_out++ == 0 : !first_why_not;
+        if (is_first) first_why_not = traced.why_not;
         std::optional<std::string> title = named.id;  // until something is shown
-        for (size_t m = 0; m < of_methods.size(); ++m) {
-          const std::optional<Trace>& trace = of_methods[m];
+        for (size_t m = 0; m < traced.by_methods.size(); ++m) {
+          const std::optional<Trace>& trace = traced.by_methods[m];
           ++(trace ? traces : refused);
           if (!trace) continue;
           lost += trace->lost ? 1 : 0;
@@ -155,7 +162,12 @@ int run_trace(const TraceArguments& options, Session& session) {
                      session);
         }
       });
+  if (traces == 0 && first_why_not) throw BadInput{*first_why_not};
   session.end_table(true);
+  if (left_out > 0) {
+    print_err(fmt::format("ccdfuzz: trace: {} left out, such as {}\n",
+                          counted(left_out, "case", "cases"), first_why_not->message()));
+  }
   session.summary(
       mark_note(options.methods) +
       fmt::format("{}, {}: {} lost", counted(cases, "case", "cases"),
