@@ -215,6 +215,16 @@ std::vector<std::string> methods_by_default() {
   return methods;
 }
 
+/// Throws BadInput where an option would change nothing, or leave nothing to draw.
+void check_meant(const HuntGround& asked, const HuntGround& ground) {
+  if (asked.plane && !ground.bodies) {
+    throw BadInput{{"--plane", "is for bodies, and this hunt is of patches: add --bodies"}};
+  }
+  if (asked.uniform && !ground.bodies && ground.shapes && !ground.are_linear()) {
+    throw BadInput{{"--uniform", "is for bodies or linear patches, and --shape names others"}};
+  }
+}
+
 int run_hunt(const HuntArguments& arguments, Session& session) {
   HuntArguments options = arguments;
   options.hunt.threads = session.threads;
@@ -225,6 +235,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
     options.hunt.methods = {"oracle"};
   }
   options.hunt.ground = need(narrowed(options.hunt.ground, options.hunt.methods));
+  check_meant(arguments.hunt.ground, options.hunt.ground);
   Store store = need(Store::open(options.corpus));
   // Whether the page can be written is to be known before the work is done.
   if (!options.page.empty()) need(make_folder(options.page));
