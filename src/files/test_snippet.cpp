@@ -4,7 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
+
+#include "case/scale.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -46,6 +51,19 @@ struct Plugin {{
   }}
 }};
 
+/// The patch as ccdfuzz asks about it. A plug-in gets one of ends and velocities. One that takes no
+/// weights gets no equal ones.
+ccdfuzz_patch as_taken(ccdfuzz_patch patch, std::uint32_t claims) {{
+  if (patch.velocities != nullptr && patch.ends != nullptr) {{
+    ((claims & CCDFUZZ_TAKES_ENDS) != 0 ? patch.velocities : patch.ends) = nullptr;
+  }}
+  const double* const weights = patch.weights;
+  const bool are_equal = weights != nullptr && std::all_of(weights, weights + patch.count,
+                                                           [=](double w) {{ return w == *weights; }});
+  if (are_equal && (claims & CCDFUZZ_TAKES_WEIGHTS) == 0) patch.weights = nullptr;
+  return patch;
+}}
+
 /// Asks it, with the patches in the order that it takes.
 ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
   const Plugin plugin;
@@ -59,6 +77,8 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separa
                        }});
   }};
   if (!takes(a, b) && takes(b, a)) std::swap(a, b);
+  a = as_taken(a, description.claims);
+  b = as_taken(b, description.claims);
   ccdfuzz_query query{{}};
   query.size = sizeof query;
   query.patches[0] = &a;
@@ -75,15 +95,33 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separa
   return answer;
 }}
 
+/// Whether the plug-in claims that, such as CCDFUZZ_CLOSED_T_MAX.
+[[maybe_unused]] bool claims(std::uint32_t claim) {{
+  return (Plugin().description.claims & claim) != 0;
+}}
+
 /// Whether a hit is no later than the tolerance in time that the plug-in claims allows.
 [[maybe_unused]] bool is_in_time(const ccdfuzz_answer& answer, double contact, double t_max) {{
   const ccdfuzz_description claimed = Plugin().description;
   const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME_RELATIVE;
   double delay = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME ? claimed.tolerance : 0;
-  if ((claimed.claims & CCDFUZZ_CONSERVATIVE) != 0) delay = 0;
+  if (claims(CCDFUZZ_CONSERVATIVE)) delay = 0;
   if (answer.tolerance < delay) delay = answer.tolerance;
   if (is_relative) delay *= t_max;
   return answer.toi_lower - contact <= delay;
+}}
+
+/// Whether a miss or late hit of bodies overlooks no more than the plug-in tolerates in space. They
+/// come nearer at this speed, along a direction that keeps them apart until `since`.
+[[maybe_unused]] bool is_shallow(const ccdfuzz_answer& answer, double speed, double since,
+                                 double t_max, double largest) {{
+  const ccdfuzz_description claimed = Plugin().description;
+  const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE_RELATIVE;
+  double depth = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE ? claimed.tolerance : 0;
+  if (answer.tolerance < depth) depth = answer.tolerance;
+  if (is_relative) depth *= largest;
+  const double until = answer.verdict == CCDFUZZ_HIT ? answer.toi_lower : t_max;
+  return !claims(CCDFUZZ_CONSERVATIVE) && speed * (until - since) <= depth + claimed.minimum_separation;
 }}
 
 /// Whether a hit without a contact may be near enough for what the plug-in claims: a separation, or
@@ -97,7 +135,8 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separa
 /// Whether it is an answer to a query about [0, t_max] at all.
 bool is_answer(const ccdfuzz_answer& answer, double t_max) {{
   if (answer.verdict != CCDFUZZ_HIT) {{
-    return answer.verdict == CCDFUZZ_MISS || answer.verdict == CCDFUZZ_INCONCLUSIVE;
+    return answer.verdict == CCDFUZZ_MISS || answer.verdict == CCDFUZZ_INCONCLUSIVE ||
+           answer.verdict == CCDFUZZ_REFUSED;
   }}
   return answer.toi_lower >= 0 && answer.toi_lower <= t_max;
 }}
@@ -185,6 +224,37 @@ std::optional<std::string> without_place(const Query& query) {
   return std::nullopt;
 }
 
+/// " || condition" where a plug-in may be in the right although it misses the contact or is late.
+/// It does not claim to find it, or tolerates what it overlooks of bodies.
+std::string excuse_text(const Case& value, const Rational& contact) {
+  const Query& query = value.query;
+  std::string out;
+  if (contact == exact(query.t_max)) out += " || !claims(CCDFUZZ_CLOSED_T_MAX)";
+  if (contact == 0) out += " || !claims(CCDFUZZ_CONTACT_AT_ZERO)";
+  if (!is_of_bodies(query)) return out;
+  const auto& [a, b] = query.patches;
+  const Vec3<Rational> way = exact(a.velocities[0]) - exact(b.velocities[0]);
+  Rational squared = dot(way, way), since = contact;
+  const auto* apart =
+      value.truth.clearance ? std::get_if<BodyClearance>(&*value.truth.clearance) : nullptr;
+  if (apart != nullptr) {
+    const Vec3<Rational> normal(apart->normal[0], apart->normal[1], apart->normal[2]);
+    const Rational nearer = dot(normal, way);
+    squared = nearer * nearer / dot(normal, normal);
+    since = apart->until;
+  }
+  double largest = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    largest = std::max(
+        {largest, largest_coordinate(patch.positions), largest_coordinate(patch.at(query.t_max))});
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double speed = std::nextafter(std::sqrt(round_up(squared)), infinity);
+  if (!(speed < infinity && largest < infinity)) return out;
+  return out + fmt::format(" ||\n              is_shallow(answer, {}, {}, t_max, {})",
+                           to_hex(speed), to_hex(round_down(since)), to_hex(largest));
+}
+
 }  // namespace
 
 std::string test_preamble(TestFramework framework) {
@@ -203,8 +273,8 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
     return input_error(fmt::format("{}: {}", named.id, *field),
                        "has no place in tests of a plug-in; replay asks the plug-in itself");
   }
-  const Query moving = with_velocities(value.query).value_or(value.query);
-  const Query query = without_weights(moving).value_or(moving);
+  const Query& query = value.query;
+  const Query moving = with_velocities(query).value_or(query);
   std::string id = named.id;
   std::replace(id.begin(), id.end(), '\n', ' ');
   std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
@@ -217,20 +287,20 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
     const MovingPatch<double>& patch = query.patches[side];
     const std::string letter = side == 0 ? "a" : "b";
     out += points_text("positions_" + letter, patch.positions);
-    const std::string moves = (patch.has_ends() ? "ends_" : "velocities_") + letter;
-    out += points_text(moves, patch.moves());
-    std::string last = (patch.has_ends() ? "nullptr, " : "") + moves;
-    if (!patch.weights.empty()) {
-      out += weights_text("weights_" + letter, patch.weights);
-      last += (patch.has_ends() ? ", weights_" : ", nullptr, weights_") + letter;
+    std::vector<std::string> rest(4, "nullptr");  // what the patch may have beside its positions
+    if (const auto& velocities = moving.patches[side].velocities; !velocities.empty()) {
+      out += points_text(rest[0] = "velocities_" + letter, velocities);
     }
+    if (patch.has_ends()) out += points_text(rest[1] = "ends_" + letter, patch.ends);
+    if (!patch.weights.empty()) out += weights_text(rest[2] = "weights_" + letter, patch.weights);
     const bool is_hull = patch.shape.kind == ShapeKind::kHull;
-    if (is_hull) last += ", nullptr, nullptr, " + to_hex(patch.radius);
+    if (is_hull) rest[3] = to_hex(patch.radius);
+    while (rest.back() == "nullptr") rest.pop_back();
     patches += fmt::format(
         "  const ccdfuzz_patch {0} =\n"
         "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5});\n",
         letter, abi_name(patch.shape.kind), is_hull ? 0 : patch.shape.n, patch.shape.m,
-        patch.positions.size(), last);
+        patch.positions.size(), fmt::join(rest, ", "));
   }
   out += patches;
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));
@@ -239,11 +309,12 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
   out += check_text(framework, "is_answer(answer, t_max)");
   const std::optional<Rational> contact = value.truth.contact_by();
   if (contact && *contact <= exact(query.t_max)) {
+    const std::string excuse = excuse_text(value, *contact);
+    out += check_text(framework, "answer.verdict != CCDFUZZ_MISS" + excuse);
     // toi > contact exactly if toi > the largest double that is not after it.
-    out += check_text(framework, "answer.verdict != CCDFUZZ_MISS");
     out += fmt::format("  if (answer.verdict == CCDFUZZ_HIT) {{\n  {}  }}\n",
-                       check_text(framework, fmt::format("is_in_time(answer, {}, t_max)",
-                                                         to_hex(round_down(*contact)))));
+                       check_text(framework, fmt::format("is_in_time(answer, {}, t_max){}",
+                                                         to_hex(round_down(*contact)), excuse)));
   } else if (is_proven_clear(value)) {
     out += check_text(framework, "answer.verdict != CCDFUZZ_HIT || may_be_near()");
   }
