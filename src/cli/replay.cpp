@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "certify/oracle/body_depth.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
@@ -71,7 +72,8 @@ struct Askers {
 struct Replayed {
   std::vector<ReplayRow> rows;
   std::map<std::string, Expected> not_allowed;
-  std::uint64_t not_taken = 0;  ///< by a method for all of whose answers something is expected
+  std::uint64_t not_taken = 0;    ///< by a method for all of whose answers something is expected
+  std::uint64_t not_claimed = 0;  ///< contacts at 0 or t_max that such a method need not find
   std::optional<InputError> not_proven;  ///< none if its truth holds
 };
 
@@ -87,6 +89,15 @@ std::map<std::string, Expected> expectations(const Case& entry, const ReplayOpti
   for (const std::string& method : options.methods) wanted[method];
   for (auto& [method, expected] : wanted) expected = *options.expect;
   return wanted;
+}
+
+/// Whether the first known contact is at 0 or t_max. What is unknown of an answer is then whether
+/// the method claims to find it, unless the depth of bodies with many points is.
+bool is_at_end(const CheckedCase& known) {
+  const auto& [a, b] = known.query().patches;
+  const std::optional<Rational> by = known.contact_by();
+  return by && (*by == 0 || *by == exact(known.query().t_max)) &&
+         (!is_of_bodies(known.query()) || a.positions.size() * b.positions.size() <= kMostPairs);
 }
 
 /// Errors: throws BadInput for an entry that names no method.
@@ -118,6 +129,10 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
   if (options.expect) {
     result.not_taken = std::erase_if(
         result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
+    if (*options.expect != Outcome::kUnknown && is_at_end(*known)) {
+      result.not_claimed = std::erase_if(
+          result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kUnknown; });
+    }
   }
   return result;
 }
@@ -212,6 +227,7 @@ class Replay {
       });
     }
     not_taken_ += done.not_taken;
+    not_claimed_ += done.not_claimed;
     bool changed = false;
     std::optional<std::string> title = entry.id;
     for (const ReplayRow& row : done.rows) {
@@ -280,11 +296,19 @@ class Replay {
           "{}: {}", counted(claims_.total(), "input of properties", "inputs of properties"),
           claims_.text()));
     }
-    session_.summary(fmt::format(
-        "{}, {}: {}{}", counted(entries_, "entry", "entries"),
-        counted(expectations_.total(), "expectation", "expectations"), expectations_.text(),
-        not_taken_ > 0 ? fmt::format("; {} not asked, as the method does not take them", not_taken_)
-                       : ""));
+    std::string left_out;
+    if (not_taken_ > 0) {
+      left_out += fmt::format("; {} not asked, as the method does not take them", not_taken_);
+    }
+    if (not_claimed_ > 0) {
+      left_out += fmt::format(
+          "; {} left out: a contact at an end of the step, which the method does "
+          "not claim to find",
+          not_claimed_);
+    }
+    session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),
+                                 counted(expectations_.total(), "expectation", "expectations"),
+                                 expectations_.text(), left_out));
     if (expectations_.count(Change::kImprovement) > 0 && !options_.update) {
       print_err(
           "ccdfuzz: replay: an improvement is a change, too: --update writes it into the entry\n");
@@ -297,7 +321,7 @@ class Replay {
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, not_taken_ = 0, not_proven_ = 0;
+  std::uint64_t entries_ = 0, not_taken_ = 0, not_claimed_ = 0, not_proven_ = 0;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   Changes expectations_, claims_;
