@@ -32,4 +32,9 @@ constexpr bool is_false_negative(Outcome o) {
   return o == Outcome::kMissed || o == Outcome::kLate;
 }
 
+/// What counts against a method: missed, late, false_positive, error.
+constexpr bool is_failure(Outcome o) {
+  return is_false_negative(o) || o == Outcome::kFalsePositive || o == Outcome::kError;
+}
+
 }  // namespace ccdfuzz

@@ -5,8 +5,8 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "eval/evaluate.hpp"
 #include "files/case_files.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,6 @@
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
-#include "eval/evaluate.hpp"
 #include "eval/tally.hpp"
 #include "finds/failure.hpp"
 

@@ -13,7 +13,6 @@
 #include "cli/default_budget.hpp"
 #include "cli/replay_changes.hpp"
 #include "cli/session.hpp"
-#include "eval/evaluate.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"

@@ -7,8 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "eval/evaluate.hpp"
-#include "method/by_spec.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

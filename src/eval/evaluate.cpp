@@ -3,9 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "case/horizons.hpp"
-#include "certify/oracle/oracle.hpp"
 #include "eval/stream_cases.hpp"
-#include "files/check_file.hpp"
 #include "io/fields.hpp"
 #include "method/ask.hpp"
 #include "method/by_spec.hpp"
@@ -73,16 +71,6 @@ Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
 }
 
 }  // namespace
-
-void decide_rows(NamedCase& named) {
-  if (!named.rows || named.rows->layout == CsvLayout::kCurved) return;
-  named.value.truth = decide(named.value.query).truth;
-}
-
-Result<CheckedCase> decided_and_checked(NamedCase& named) {
-  decide_rows(named);
-  return check_case(named);
-}
 
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
                       EarlierLines* earlier, const OnEvaluated& on_case,

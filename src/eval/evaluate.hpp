@@ -14,12 +14,6 @@
 
 namespace ccdfuzz {
 
-/// Gives a linear query of a CSV its exact truth with certificates (decide). Every other case stays
-/// as it is.
-void decide_rows(NamedCase& named);
-/// The same, and then as check_case.
-Result<CheckedCase> decided_and_checked(NamedCase& named);
-
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
   /// Multiples ≥ 1 of the witness's time to ask a case up to. Without a witness it is asked once,

@@ -56,11 +56,6 @@ std::string kind_of_bodies(const Query& query) {
 
 }  // namespace
 
-bool is_failure(Outcome outcome) {
-  return is_false_negative(outcome) || outcome == Outcome::kFalsePositive ||
-         outcome == Outcome::kError;
-}
-
 Failure failure_of(const Case& value, const std::string& method, const Expected& expected) {
   const auto& [outcome, cause] = expected;
   if (outcome == Outcome::kError) return {method, outcome, "", cause, Setting::kOrdinary};

@@ -15,9 +15,6 @@
 
 namespace ccdfuzz {
 
-/// True iff an expectation of this outcome is of a failure: missed, late, false_positive, error.
-bool is_failure(Outcome outcome);
-
 /// How a method fails; what a store keeps one find for.
 struct Failure {
   std::string who;  ///< the method's spec

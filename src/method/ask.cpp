@@ -6,6 +6,8 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "files/check_file.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
@@ -47,6 +49,16 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
 }
 
 }  // namespace
+
+void decide_rows(NamedCase& named) {
+  if (!named.rows || named.rows->layout == CsvLayout::kCurved) return;
+  named.value.truth = decide(named.value.query).truth;
+}
+
+Result<CheckedCase> decided_and_checked(NamedCase& named) {
+  decide_rows(named);
+  return check_case(named);
+}
 
 std::optional<double> depth_of(const CheckedCase& known, const Judged& judged) {
   const Query& query = known.query();

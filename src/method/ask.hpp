@@ -5,6 +5,14 @@
 
 namespace ccdfuzz {
 
+struct NamedCase;
+
+/// Gives a linear query of a CSV its exact truth with certificates (decide). Every other case stays
+/// as it is.
+void decide_rows(NamedCase& named);
+/// The same, and then as check_case.
+Result<CheckedCase> decided_and_checked(NamedCase& named);
+
 /// Puts the query of a case to a method and judges the answer by its terms. A method that throws
 /// has the outcome error, with what it threw as the note, and undecided as the verdict.
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options);

@@ -60,7 +60,7 @@ struct ReportPage {
 inline constexpr std::size_t kMostReportedCases = 5000;
 inline constexpr std::size_t kMostPageBytes = 19'000'000;
 
-/// True iff any method's outcome is a failure: a false negative or positive, or an error.
+/// True iff any method's outcome is a failure (is_failure).
 bool has_failure(const ReportedCase& reported);
 
 /// Keeps at most `most` of the cases, the first ones. Each class, kind and set of failing methods
