@@ -7,6 +7,8 @@
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/search_queue.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/draw_patch.hpp"
+#include "generators/generate.hpp"
 #include "method/method.hpp"
 #include "numeric/block_array.hpp"
 
@@ -65,6 +67,18 @@ TEST(Memory, PeakStaysWithinTheBudgetAndLittleIsKept) {
   EXPECT_EQ(next.answer.note, "memory budget exhausted");
   EXPECT_LE(next.peak + large.kept, kMostHeld);
   EXPECT_LE(next.kept + large.kept, static_cast<long>(kKeptBytes));
+}
+
+TEST(Pops, AreFewAtASeparationThoughTheWindowGoesOnAfterTheContact) {
+  const auto method = *make_method("tdibm-c");
+  GeneratorOptions options;
+  options.family = Family::kSeparated;
+  options.shapes = {Shape::tensor(2, 2), Shape::tensor(2, 2)};
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Case apart = generate(options, i).value;
+    const Answer answer = method->answer(apart.query, {.max_pops = 2000});
+    EXPECT_EQ(answer.verdict, Verdict::kHit) << i << " of " << to_text(apart.query);
+  }
 }
 
 struct Numbered {

@@ -3,39 +3,6 @@
 
 namespace ccdfuzz::certified {
 
-namespace {
-
-double mean(double a, double b) {
-  return 0.5 * (a + b);
-}
-double mean(double a, double b, double c) {
-  return (a + b + c) / 3;
-}
-double mean(double a, double b, double c, double d) {
-  return 0.25 * ((a + b) + (c + d));
-}
-
-/// Coordinate k of the middle of the corners at the snapshot's first time.
-double middle_at_start(const Shape& shape, const Snapshot& snapshot, int k) {
-  const auto at = [&](int i) { return snapshot.at(0, k, i); };
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      break;
-    case ShapeKind::kCurve:
-      return mean(at(0), at(shape.n));
-    case ShapeKind::kTriangle:
-      return mean(at(0), at(shape.index(shape.n, 0)), at(shape.index(0, shape.n)));
-    case ShapeKind::kTensor:
-      return mean(at(0), at(shape.index(shape.n, 0)), at(shape.index(0, shape.m)),
-                  at(shape.index(shape.n, shape.m)));
-  }
-  return at(0);
-}
-
-}  // namespace
-
 CornerFrame::CornerFrame(const CellTree& tree, CellTree::Node node, double t) {
   const double* net = tree.net(node);
   build(tree.shape(), [&](int i) {
@@ -48,20 +15,14 @@ CornerFrame::CornerFrame(const CellTree& tree, CellTree::Node node, double t) {
   });
 }
 
-CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot) {
+CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double way) {
   build(shape, [&](int i) {
     Axis p;
-    for (int k = 0; k < 3; ++k) p[k] = 0.5 * snapshot.at(0, k, i) + 0.5 * snapshot.at(1, k, i);
+    for (int k = 0; k < 3; ++k) {
+      p[k] = (1 - way) * snapshot.at(0, k, i) + way * snapshot.at(1, k, i);
+    }
     return p;
   });
-}
-
-Axis offset_at_start(const std::array<Shape, 2>& shapes, const std::array<Snapshot, 2>& nets) {
-  Axis offset;
-  for (int k = 0; k < 3; ++k) {
-    offset[k] = middle_at_start(shapes[0], nets[0], k) - middle_at_start(shapes[1], nets[1], k);
-  }
-  return offset;
 }
 
 template <class PointAt>
@@ -77,14 +38,14 @@ void CornerFrame::build(const Shape& shape, const PointAt& at) {
       const Axis end = at(shape.n);
       edges[0] = minus(end, origin);
       edge_count = 1;
-      for (int k = 0; k < 3; ++k) middle[k] = mean(origin[k], end[k]);
+      for (int k = 0; k < 3; ++k) middle[k] = 0.5 * (origin[k] + end[k]);
       return;
     }
     case ShapeKind::kTriangle: {
       const Axis u = at(shape.index(shape.n, 0)), v = at(shape.index(0, shape.n));
       edges = {minus(u, origin), minus(v, origin), minus(v, u)};
       edge_count = 3;
-      for (int k = 0; k < 3; ++k) middle[k] = mean(origin[k], u[k], v[k]);
+      for (int k = 0; k < 3; ++k) middle[k] = (origin[k] + u[k] + v[k]) / 3;
       break;
     }
     case ShapeKind::kTensor: {
@@ -93,7 +54,7 @@ void CornerFrame::build(const Shape& shape, const PointAt& at) {
       edges[0] = plus(minus(u, origin), minus(uv, v));
       edges[1] = plus(minus(v, origin), minus(uv, u));
       edge_count = 2;
-      for (int k = 0; k < 3; ++k) middle[k] = mean(origin[k], u[k], v[k], uv[k]);
+      for (int k = 0; k < 3; ++k) middle[k] = 0.25 * ((origin[k] + u[k]) + (v[k] + uv[k]));
       break;
     }
   }

@@ -30,16 +30,13 @@ struct CornerFrame {
   CornerFrame() = default;
   /// The frame of a cell at time t.
   CornerFrame(const CellTree& tree, CellTree::Node node, double t);
-  /// The frame of a net, halfway between both times of its snapshot.
-  CornerFrame(const Shape& shape, const Snapshot& snapshot);
+  /// The frame of a net, so far from the first to the second time of its snapshot.
+  CornerFrame(const Shape& shape, const Snapshot& snapshot, double way);
 
  private:
   template <class PointAt>
   void build(const Shape& shape, const PointAt& point_at);
 };
-
-/// From the second net's middle to the first's, both at the first time of their snapshots.
-Axis offset_at_start(const std::array<Shape, 2>& shapes, const std::array<Snapshot, 2>& nets);
 
 /// Candidate separating axes of two flat shapes, in batches. For two triangles they are the
 /// complete set: both normals, every cross product of edges, every in-plane edge normal. For tensor

@@ -204,13 +204,11 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
     }
   };
   look_again();
-  const CornerFrame frame_a(query_.shapes[0], seen.nets[0]),
-      frame_b(query_.shapes[1], seen.nets[1]);
-  Axis offset{};
-  if (query_.separation > 0) {
-    // At the start of the window, where a hit would be.
-    offset = offset_at_start(query_.shapes, seen.nets);
-  }
+  const bool apart = query_.separation > 0;
+  const double way = apart && std::min(depths_[0], depths_[1]) >= kStartLevel ? 0 : 0.5;
+  const CornerFrame frame_a(query_.shapes[0], seen.nets[0], way),
+      frame_b(query_.shapes[1], seen.nets[1], way);
+  const Axis offset = apart ? minus(frame_a.middle, frame_b.middle) : Axis{};
   CandidateAxes candidates(frame_a, frame_b, offset);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     look_again();

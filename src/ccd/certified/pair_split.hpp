@@ -94,7 +94,7 @@ class PairSplit {
   /// Both nets of a pair at the ends of a window.
   struct Looked {
     Window window;
-    std::array<Snapshot, 2> nets;
+    Snapshot nets[2];
   };
 
   Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }
@@ -129,6 +129,10 @@ class PairSplit {
 
   /// Deeper down windows are so short that h is almost a line, whose root the chord finds.
   static constexpr int kNewtonLevels = 3;
+  /// From this depth on, pairs that are to be a distance apart take their axes at the window's
+  /// start, where a hit would be. Halfway, bodies that turn have other normals, and cells as far
+  /// apart as that come many to a level. Coarser pairs are decided over the whole window.
+  static constexpr int kStartLevel = 3;
 
   NormalisedQuery query_;
   int finest_ = 0;
