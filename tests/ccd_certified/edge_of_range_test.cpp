@@ -101,6 +101,23 @@ Query area_contact() {
   return query;
 }
 
+TEST(TdibmC, MissesFarPatchesHoweverWideAHitMayBe) {
+  Query far = area_contact();
+  for (Vec3<double>& p : far.patches[1].positions) p[0] += 1000;
+  EXPECT_EQ(TdibmC().answer(far, {.precision = 1}).verdict, Verdict::kMiss);
+}
+
+TEST(TdibmC, SeparatesNothingWhereRoundingIsInfinite) {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  Query query = area_contact();
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.positions.assign(6, {0x1.8p1023, 0x1.8p1023, 0x1.8p1023});
+    for (int i = 0; i < 6; ++i) patch.velocities[static_cast<size_t>(i)] = {i * kLeast, kLeast, 0};
+  }
+  query.t_max = kLeast;
+  EXPECT_EQ(ask(query).verdict, Verdict::kHit);
+}
+
 TEST(TdibmC, EndsWithinTheDefaultBudgetsWherePatchesCoincideOverAnArea) {
   TdibmC method;
   const Answer answer = method.answer(area_contact(), {});

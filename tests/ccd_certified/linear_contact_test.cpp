@@ -206,6 +206,16 @@ TEST(LawL6, TheLongestNumbersFit) {
   }
 }
 
+TEST(LawL6, AProductTakesTheLimbsOfBothFactors) {
+  // det is about 2^770·(t − 1/8)²·(t − 15/16), of numbers with 255 binary places.
+  constexpr double kMost = (0x1p49 - 1) * 0x1p196, kA = kMost / 8, kC = kMost / 16 * 15;
+  Query query{{patch(Shape::triangle(1), {{-kA, -0.125, kC}, {kA, -kA, -0.9375}, {-0.125, kA, -kC}},
+                     {{kMost, 1, -kMost}, {-kMost, kMost, 1}, {1, -kMost, kMost}}),
+               patch(Shape::point(), {{kA, kA, kC}}, {{-kMost, -kMost, -kMost}})},
+              1 - 0x1p-10};
+  EXPECT_EQ(difference(query), "");
+}
+
 TEST(LawL8, TheTimeIsNoMoreThanAStepBeforeTheContact) {
   Draw random{Random::keyed({46})};
   int hits = 0;

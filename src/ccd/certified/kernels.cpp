@@ -146,10 +146,12 @@ template <bool kRational>
       }
     }
     const double e = bounds.on[i];
-    CCDFUZZ_ASSERT(e >= HeightErrorBound::kHalfUlp *
+    // The zero axis separates nothing, whatever its bound: NaN where `absolute` is infinite.
+    CCDFUZZ_ASSERT(basis.norms[i] == 0 ||
+                   e >= HeightErrorBound::kHalfUlp *
                             (basis.roundings + HeightErrorBound::kFixedRoundings) *
                             basis.magnitude * basis.norms[i]);
-    CCDFUZZ_ASSERT(e >= 4 * basis.absolute * basis.norms[i] || basis.norms[i] == 0);
+    CCDFUZZ_ASSERT(basis.norms[i] == 0 || e >= 4 * basis.absolute * basis.norms[i]);
     const bool separated = (a.max_lo[i] - b.min_lo[i] < -e && a.max_hi[i] - b.min_hi[i] < -e) ||
                            (b.max_lo[i] - a.min_lo[i] < -e && b.max_hi[i] - a.min_hi[i] < -e);
     CCDFUZZ_ASSERT(separated == ((throughout >> i & 1) != 0));

@@ -121,7 +121,8 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
 }
 
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
-  const int target = depth_for(options.precision);
+  // Halves at least, however wide a hit may be: the whole patches are not tested.
+  const int target = std::max(depth_for(options.precision), 1);
   Deadline deadline(options);
   split_.take(query);
   const certified::NormalisedQuery& normalised = split_.query();

@@ -30,8 +30,7 @@ namespace ccdfuzz {
 /// How early toi can be: no time after the begin of that window is certified clear for the pair. So
 /// toi is early by at most 2^-20·t_max and the time in which the pair's hulls, of diameter
 /// O(precision), approach each other.
-/// With the precision 1 the whole patches are such a pair, and no axis is put to them. So they are
-/// a hit at 0, unless they are decided as linear patches.
+/// With the precision 1 such a pair is of halves, as no axis is put to whole patches.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. A hit's cells are not proven to be outside.
 /// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at

@@ -8,8 +8,8 @@ namespace ccdfuzz::certified {
 
 /// Coordinates are integers below 2^kMostBits where linear contacts are decided.
 inline constexpr int kMostBits = 256;
-// Law L6: all that is computed of them is below this.
-using Int = BoundedInt<26 * kMostBits + 64>;
+// Law L6: all that is computed of them fits. A product takes a limb more than it may fill.
+using Int = BoundedInt<26 * kMostBits + 128>;
 
 /// From m·2^-level to (m + 1)·2^-level; the whole time step is [0, 1].
 struct TimePart {
