@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "case/horizons.hpp"
+#include "case/judge.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {
@@ -24,7 +25,8 @@ Case contact_anywhere(std::uint64_t seed, std::uint64_t index) {
   options.seed = seed;
   const Case known = generate(options, index).value;
   const double factor = kHorizonFactors[round / kContactClasses.size() % kHorizonFactors.size()];
-  return at_horizon(known, factor).value_or(known);
+  const std::optional<double> t_max = horizon_of(known, factor);
+  return t_max ? with_t_max(known, *t_max) : known;
 }
 
 }  // namespace
