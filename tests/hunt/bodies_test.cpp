@@ -1,7 +1,6 @@
 // Draws, mutants, settings and minimising of bodies.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <set>
 
 #include "case/scale.hpp"
@@ -10,10 +9,9 @@
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/bodies.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/hunt.hpp"
+#include "hunted.hpp"
 #include "method/method.hpp"
 #include "method/setting.hpp"
-#include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -133,15 +131,11 @@ TEST(HuntBodies, DrawsAndMutantsStayInThePlaneThatA2dEngineAsksFor) {
 }
 
 TEST(HuntBodies, TheOracleIsAskedAboutDrawsAndMutantsAndNeverFails) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
   HuntOptions options;
   options.methods = {"oracle", "tdibm-c"};
   options.cases = 6;
   options.ground = ground_of_bodies();
-  const std::atomic<bool> stop = false;
-  const HuntReport report = hunt(
-      options, store, [](const HuntProgress&) {}, stop);
+  const HuntReport report = Hunted(options).report;
   EXPECT_TRUE(report.finds.empty());
   for (const HuntCell& cell : report.cells) {
     const bool takes = cell.method == "oracle";
@@ -153,8 +147,6 @@ TEST(HuntBodies, TheOracleIsAskedAboutDrawsAndMutantsAndNeverFails) {
 /// Rounded to floats, a mutant touches at another time, which is decided anew: 15 mutants a query,
 /// where 3 kept an exact contact.
 TEST(HuntFloats, APluginIsAskedAboutManyMutantsOfLinearPatches) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
   HuntOptions options;
   options.methods = {"plugin:" CCDFUZZ_TEST_LINEAR_PLUGIN};
   ASSERT_TRUE(admit_plugin(options.methods[0]));
@@ -164,14 +156,7 @@ TEST(HuntFloats, APluginIsAskedAboutManyMutantsOfLinearPatches) {
   options.ground.scale = 14;
   options.ground.pairs = {{{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}},
                           {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}}};
-  const std::atomic<bool> stop = false;
-  const HuntReport report = hunt(
-      options, store, [](const HuntProgress&) {}, stop);
-  std::uint64_t mutants = 0, queries = 0;
-  for (const HuntCell& cell : report.cells) {
-    mutants += cell.bred.mutants;
-    queries += cell.tally.n;
-  }
+  const auto [queries, mutants] = asked_of(Hunted(options).report);
   EXPECT_GE(mutants, 8 * queries);
 }
 

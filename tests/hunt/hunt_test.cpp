@@ -1,68 +1,38 @@
-#include "hunt/hunt.hpp"
+#include "hunted.hpp"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cfenv>
 
 #include "files/case_json.hpp"
 #include "io/cpu_time.hpp"
-#include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-HuntReport hunt_into(Store& store, const HuntOptions& options) {
-  const std::atomic<bool> stop = false;
-  return hunt(
-      options, store, [](const HuntProgress&) {}, stop);
-}
-
-struct Shares {
-  double of_draws;  ///< of the CPU time
-  std::uint64_t queries = 0, mutants = 0;
-};
-
-Shares shares_of(const HuntGround& ground) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
-  HuntOptions options;
-  options.methods = {"tdibm-c"};
-  options.seconds = 2;
-  options.ground = ground;
-  const double start = thread_cpu_seconds();
-  const HuntReport report = hunt_into(store, options);
-  Shares shares{report.draw_cpu_seconds / (thread_cpu_seconds() - start)};
-  for (const HuntCell& cell : report.cells) {
-    shares.queries += cell.tally.n;
-    shares.mutants += cell.bred.mutants;
-  }
-  return shares;
-}
-
 // Within 2^±6 most draws are thrown away. They count as the time of draws, so that mutants still
 // have their half: without that, making them took 95 % of the time.
 TEST(Hunt, MakingDrawsLeavesMutantsTheirHalf) {
-  HuntGround ground;
-  ground.scale = 6;
-  ground.shapes = {Shape::curve(1), Shape::curve(1)};
-  const Shares shares = shares_of(ground);
-  EXPECT_LT(shares.of_draws, 0.85);
-  EXPECT_GT(shares.mutants, 0U);
+  HuntOptions options;
+  options.methods = {"tdibm-c"};
+  options.seconds = 2;
+  options.ground.scale = 6;
+  options.ground.shapes = {Shape::curve(1), Shape::curve(1)};
+  const double start = thread_cpu_seconds();
+  const HuntReport report = Hunted(options).report;
+  EXPECT_LT(report.draw_cpu_seconds / (thread_cpu_seconds() - start), 0.85);
+  EXPECT_GT(asked_of(report).mutants, 0U);
 }
 
 // Threads inherit the environment of whoever starts them.
 TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
   const auto hunted = [](int threads) {
-    const ScratchFolder folder;
-    Store store = Store::open(folder.path()).value();
     HuntOptions options;
     options.methods = {"tdibm"};
     options.cases = 2;
     options.threads = threads;
     options.seed = 3;
-    hunt_into(store, options);
-    const std::vector<NamedCase> entries = store.load().value();
+    const std::vector<NamedCase> entries = Hunted(options).store.load().value();
     std::string finds;
     for (const NamedCase& find : entries) finds += to_json(find.value);
     return finds;
@@ -78,18 +48,12 @@ TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
 }
 
 TEST(Hunt, HasACourseOfAFewHundredSamplesThatShowsBreedingAndItsEnd) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
   HuntOptions options;
   options.methods = {"tdibm", "tdibm-c"};
   options.cases = 100;
   options.ground.linear = true;
-  const HuntReport report = hunt_into(store, options);
-  std::uint64_t queries = 0, mutants = 0;
-  for (const HuntCell& cell : report.cells) {
-    queries += cell.tally.n;
-    mutants += cell.bred.mutants;
-  }
+  const HuntReport report = Hunted(options).report;
+  const auto [queries, mutants] = asked_of(report);
   const std::vector<HuntSample>& course = report.course;
   EXPECT_GE(course.size(), 100U);
   EXPECT_LE(course.size(), 400U);
@@ -103,13 +67,11 @@ TEST(Hunt, HasACourseOfAFewHundredSamplesThatShowsBreedingAndItsEnd) {
 }
 
 TEST(Hunt, EndsWithTheFirstCounterexampleOfAnOutcome) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
   HuntOptions options;
   options.methods = {"tdibm"};
   options.ground.linear = true;
   options.until = Outcome::kMissed;
-  const HuntReport report = hunt_into(store, options);
+  const HuntReport report = Hunted(options).report;
   EXPECT_LT(report.seconds, options.seconds / 2);
   EXPECT_TRUE(std::ranges::any_of(
       report.finds, [](const Find& find) { return find.failure.outcome == Outcome::kMissed; }));

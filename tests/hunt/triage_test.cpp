@@ -55,10 +55,13 @@ std::vector<TriageFind> triaged(Triage& triage, const std::vector<Case>& raw) {
   return finds;
 }
 
-TEST(Triage, StoresWhatFailsShrunkWithItsTruthAndFindsNothingTwice) {
-  const ScratchFolder folder;
-  const std::vector<Case> raw = raw_finds();
+struct TriageIntoAStore : testing::Test {
+  ScratchFolder folder;
   Store store = Store::open(folder.path()).value();
+};
+
+TEST_F(TriageIntoAStore, StoresWhatFailsShrunkWithItsTruthAndFindsNothingTwice) {
+  const std::vector<Case> raw = raw_finds();
   Triage first(store, quick_options());
   const std::vector<TriageFind> finds = triaged(first, raw);
   ASSERT_GE(finds.size(), 1U);
@@ -142,9 +145,7 @@ Result<std::unique_ptr<Method>> served_patiently(const std::string& spec) {
   return served_method(spec, limits);
 }
 
-TEST(Triage, AsksAnInputAsItStandsToo) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, AsksAnInputAsItStandsToo) {
   Case far = raw_finds().front();
   const double limit = 16 * far.query.t_max;
   far.query.t_max = limit;
@@ -158,9 +159,7 @@ TEST(Triage, AsksAnInputAsItStandsToo) {
   EXPECT_GE(finds[0].value.query.t_max, limit);
 }
 
-TEST(Triage, FindsAnewWhatItCouldNotShrinkToTheEnd) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, FindsAnewWhatItCouldNotShrinkToTheEnd) {
   TriageOptions options = quick_options();
   options.methods = {kFails};
   bool is_over = false;
@@ -168,25 +167,19 @@ TEST(Triage, FindsAnewWhatItCouldNotShrinkToTheEnd) {
   options.stop = [&] { return is_over && ++asked > 1; };
   Triage triage(store, options);
   const std::vector<Case> raw = raw_finds();
-  std::vector<TriageFind> finds;
   // Over as soon as a failure is being shrunk: nothing of it is had.
   is_over = true;
   for (const Case& candidate : raw) {
     asked = 0;
-    EXPECT_TRUE(triage.add(candidate, [&](const Failure& failure, const Case& find) {
-      finds.push_back({failure, find});
-    }));
+    EXPECT_THAT(triaged(triage, {candidate}), testing::IsEmpty());
   }
-  EXPECT_THAT(finds, testing::IsEmpty());
   EXPECT_GT(triage.tally().failures, 0U);
   EXPECT_EQ(triage.tally().known, 0U);
   is_over = false;
   EXPECT_GE(triaged(triage, raw).size(), 1U);
 }
 
-TEST(Triage, AsksNoMethodOnceItIsToStop) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, AsksNoMethodOnceItIsToStop) {
   TriageOptions options = quick_options();
   int asked = 0;
   options.make = [&](const std::string& spec) {
@@ -200,9 +193,7 @@ TEST(Triage, AsksNoMethodOnceItIsToStop) {
   EXPECT_EQ(triage.tally().harmless, 0U) << "not all methods were asked";
 }
 
-TEST(Triage, DecidesWhatComesWithoutTruth) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, DecidesWhatComesWithoutTruth) {
   Triage triage(store, quick_options());
   std::vector<Case> raw = raw_finds();
   for (Case& c : raw) c.truth = {};
@@ -278,9 +269,7 @@ TEST(Triage, ACrashOfTheOracleIsAFind) {
   }
 }
 
-TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   TriageOptions options = quick_options();
   options.methods = {"tdibm-c"};
   std::vector<std::string> warnings;
@@ -309,9 +298,7 @@ TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   EXPECT_EQ(warnings.size(), raw_finds().size());
 }
 
-TEST(Triage, KeepsWhatCannotBeTraced) {
-  const ScratchFolder folder;
-  Store store = Store::open(folder.path()).value();
+TEST_F(TriageIntoAStore, KeepsWhatCannotBeTraced) {
   Triage triage(store, failing_options({"misses"}));
   const std::vector<TriageFind> finds = triaged(triage, raw_finds());
   ASSERT_EQ(finds.size(), 1U) << "one class";
