@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -68,9 +66,7 @@ TEST(HuntCommand, MakesAPageOfAllThatItHas) {
   }
   ASSERT_EQ(hunted.code, 0) << hunted.err;
   std::uint64_t queries = 0, mutants = 0, finds = 0;
-  std::istringstream lines(hunted.out);
-  for (std::string line; std::getline(lines, line);) {
-    const auto row = nlohmann::json::parse(line);
+  for (const auto& row : json_lines(hunted.out)) {
     finds += row["row"] == "find" ? 1 : 0;
     if (row["row"] != "cell") continue;
     queries += row["n"].get<std::uint64_t>();

@@ -20,9 +20,12 @@ using testing::UnorderedElementsAre;
 
 const Failure kMissed = failures_of(find_of(3)).front();
 
-TEST(Store, FailuresOfOtherMethodsOutcomesClassesCausesAndSettingsStandApart) {
-  const ScratchFolder folder;
+struct StoreInAFolder : testing::Test {
+  ScratchFolder folder;
   Store store = open_store(folder.path());
+};
+
+TEST_F(StoreInAFolder, FailuresOfOtherMethodsOutcomesClassesCausesAndSettingsStandApart) {
   EXPECT_EQ(put(store, find_of(3)), Put::kNew);
   EXPECT_EQ(put(store, find_of(5, "tdibm-h:1e-16")), Put::kNew);
   EXPECT_EQ(put(store, find_of(7, "tdibm", Outcome::kLate)), Put::kNew);
@@ -39,9 +42,7 @@ TEST(Store, FailuresOfOtherMethodsOutcomesClassesCausesAndSettingsStandApart) {
   EXPECT_EQ(cases_in(folder.path()).size(), 6U);
 }
 
-TEST(Store, AQueryThatTwoMethodsFailOnStandsInTwoFiles) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, AQueryThatTwoMethodsFailOnStandsInTwoFiles) {
   Case both = find_of(3, "tdibm");
   both.expect["trad"] = Outcome::kLate;
   for (const Failure& failure : failures_of(both)) {
@@ -50,9 +51,7 @@ TEST(Store, AQueryThatTwoMethodsFailOnStandsInTwoFiles) {
   EXPECT_THAT(cases_in(folder.path()), ElementsAre(both, both));
 }
 
-TEST(Store, TheSameQueryAgainAddsExpectationsAndChangesNone) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, TheSameQueryAgainAddsExpectationsAndChangesNone) {
   put(store, find_of(3));
   Case more = find_of(3);
   more.expect["tdibm-c"] = Outcome::kCorrect;
@@ -82,9 +81,7 @@ TEST(Store, EntriesOfOtherNamesAreKnownAndNeverTakenAway) {
   EXPECT_EQ(store.standing(kMissed).value()->value, find_of(3));
 }
 
-TEST(Store, NamesThatAreNoFileNamesAreErrors) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, NamesThatAreNoFileNamesAreErrors) {
   const auto refused = [&](const std::string& name, double x) {
     const auto done = store.put_named(name, find_of(x));
     return done ? "accepted" : done.error().message();
@@ -101,9 +98,7 @@ TEST(Store, NamesThatAreNoFileNamesAreErrors) {
   EXPECT_EQ(cases_in(folder.path()).size(), 4U);
 }
 
-TEST(Store, NamesAnEntryByItsAddressWhenAnotherHasItsName) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, NamesAnEntryByItsAddressWhenAnotherHasItsName) {
   EXPECT_EQ(store.put_named("good", find_of(3)).value(), Put::kNew);
   EXPECT_EQ(store.put_named("good", find_of(5)).value(), Put::kNew);
   EXPECT_EQ(store.put_named("good", find_of(5)).value(), Put::kKnown);
@@ -111,13 +106,11 @@ TEST(Store, NamesAnEntryByItsAddressWhenAnotherHasItsName) {
   EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(find_of(3), find_of(5)));
 }
 
-TEST(Store, KeepsTheEntryOfAnAddressWhenAnotherIsMovedThere) {
-  const ScratchFolder folder;
+TEST_F(StoreInAFolder, KeepsTheEntryOfAnAddressWhenAnotherIsMovedThere) {
   Case by_hand = find_of(7);
   by_hand.origin.note = "keep me";
   by_hand.expect = {{"trad", Outcome::kCorrect}};
   const std::string address = content_address(by_hand.query);
-  Store store = open_store(folder.path());
   ASSERT_TRUE(store.put_named(address, by_hand));
   put(store, find_of(7));
   ASSERT_TRUE(store.disown(kMissed, store.path_of(kMissed)));
@@ -125,18 +118,14 @@ TEST(Store, KeepsTheEntryOfAnAddressWhenAnotherIsMovedThere) {
   EXPECT_THAT(cases_in(folder.path()), ElementsAre(by_hand));
 }
 
-TEST(Store, APipeInThePlaceOfAFindIsAnError) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, APipeInThePlaceOfAFindIsAnError) {
   ASSERT_EQ(::mkfifo(store.path_of(kMissed).c_str(), 0600), 0);
   const auto done = try_put(store, find_of(3));
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message(), testing::HasSubstr("is not a regular file"));
 }
 
-TEST(Store, AnEntryThatIsDisownedKeepsItsAddressAsItsName) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, AnEntryThatIsDisownedKeepsItsAddressAsItsName) {
   put(store, find_of(3));
   ASSERT_TRUE(store.disown(kMissed, store.path_of(kMissed)));
   EXPECT_FALSE(store.standing(kMissed).value());
@@ -145,9 +134,7 @@ TEST(Store, AnEntryThatIsDisownedKeepsItsAddressAsItsName) {
   EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(find_of(3), find_of(15)));
 }
 
-TEST(Store, ANamedEntryThatIsDisownedStaysAndHidesNothing) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, ANamedEntryThatIsDisownedStaysAndHidesNothing) {
   ASSERT_TRUE(store.put_named("forged", find_of(1)));
   ASSERT_TRUE(store.disown(kMissed, folder / "forged.json"));
   EXPECT_EQ(put(store, find_of(15)), Put::kNew);
@@ -163,9 +150,7 @@ TEST(Store, MovesAsideAnEntryNamedByAFailureThatItDoesNotShow) {
   EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(other, find_of(7)));
 }
 
-TEST(Store, RefusesARefutedFind) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
+TEST_F(StoreInAFolder, RefusesARefutedFind) {
   Case wrong = find_of(3);
   wrong.truth.witness->t = Rational(1, 2);
   const auto done = try_put(store, wrong);
