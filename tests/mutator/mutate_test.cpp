@@ -62,15 +62,6 @@ TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
   EXPECT_GE(reshaped, kChains / 4);
 }
 
-TEST(Mutate, DependsOnTheArgumentsAlone) {
-  const std::vector<Contact> bases = mutation_bases();
-  for (std::uint64_t key = 0; key < 50 / kOneIn; ++key) {
-    Draw once{Random(key)}, again = once;
-    const Contact &q = bases[key % bases.size()], &other = bases[(key + 3) % bases.size()];
-    EXPECT_EQ(mutate(q, other, once).query, mutate(q, other, again).query);
-  }
-}
-
 // One number for all compilers: no draw may depend on the order in which they evaluate arguments.
 // It changes with the moves, and only with them: put in the new one when you mean to change them.
 TEST(Mutate, MakesTheSameMutantsEverywhere) {
