@@ -9,49 +9,29 @@
 
 #include "certify/linear/first_contact.hpp"
 #include "numeric/effort.hpp"
-#include "numeric/products.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-/// Polynomials in t, exact: the coefficient of t^k at k.
-using Poly = std::array<Rational, 4>;
-using PolyVector = std::array<Poly, 3>;
+using linear::Polynomial;
 
-Poly times(const Poly& a, const Poly& b) {
-  Poly out{};
-  for (size_t i = 0; i < 4; ++i) {
-    for (size_t j = 0; i + j < 4; ++j) out[i + j] += a[i] * b[j];
-  }
-  return out;
-}
-Poly minus(const Poly& a, const Poly& b) {
-  Poly out{};
-  for (size_t i = 0; i < 4; ++i) out[i] = a[i] - b[i];
-  return out;
-}
+/// In t, exact.
+using PolyVector = std::array<Polynomial, 3>;
+
 PolyVector minus(const PolyVector& a, const PolyVector& b) {
-  return {minus(a[0], b[0]), minus(a[1], b[1]), minus(a[2], b[2])};
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 PolyVector cross(const PolyVector& a, const PolyVector& b) {
-  return {minus(times(a[1], b[2]), times(a[2], b[1])), minus(times(a[2], b[0]), times(a[0], b[2])),
-          minus(times(a[0], b[1]), times(a[1], b[0]))};
-}
-bool is_zero(const Poly& p) {
-  return p == Poly{};
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 bool is_zero(const PolyVector& v) {
-  return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]);
+  return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
-/// Whether a polynomial has a root twice: its discriminant is 0.
-bool has_double_root(const Poly& p) {
-  const auto& [d, c, b, a] = p;
-  if (a == 0 && b == 0) return false;
-  const Rational discriminant = b * b * c * c - 4 * a * c * c * c - 4 * b * b * b * d -
-                                27 * a * a * d * d + 18 * a * b * c * d;
-  return discriminant == 0;
+/// In units of the least double.
+Integer in_least_doubles(double x) {
+  return Rational(exact(x) * power_of_two(1074)).get_num();
 }
 
 std::vector<PolyVector> moving_points(const Query& query) {
@@ -60,8 +40,8 @@ std::vector<PolyVector> moving_points(const Query& query) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {
       PolyVector& p = points.emplace_back();
       for (int k = 0; k < 3; ++k) {
-        p[static_cast<size_t>(k)] = {exact(patch.positions[i][k]), exact(patch.velocities[i][k]), 0,
-                                     0};
+        p[static_cast<size_t>(k)] = Polynomial(
+            {in_least_doubles(patch.positions[i][k]), in_least_doubles(patch.velocities[i][k])});
       }
     }
   }
@@ -70,7 +50,7 @@ std::vector<PolyVector> moving_points(const Query& query) {
 
 bool is_at(linear::FirstContact& contact, double t) {
   const Rational at = exact(t);
-  return contact.time.sign_of(linear::Polynomial({-at.get_num(), at.get_den()})) == 0;
+  return contact.time.sign_of(Polynomial({-at.get_num(), at.get_den()})) == 0;
 }
 
 /// Whether one coordinate of one point, moved by one float, decides between contact and none.
@@ -110,16 +90,13 @@ TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
       const PolyVector b = edges ? minus(p[3], p[2]) : minus(p[2], p[0]);
       const PolyVector c = minus(p[edges ? 2 : 3], p[0]);
       const PolyVector normal = cross(a, b);
-      Poly volume{};
-      for (size_t k = 0; k < 3; ++k) {
-        const Poly term = times(normal[k], c[k]);
-        for (size_t i = 0; i < 4; ++i) volume[i] += term[i];
-      }
-      note("coplanar motion", is_zero(volume));
-      note("double root of coplanarity", !is_zero(volume) && has_double_root(volume));
+      const Polynomial volume = normal[0] * c[0] + normal[1] * c[1] + normal[2] * c[2];
+      note("coplanar motion", volume.is_zero());
+      note("double root of coplanarity",
+           !volume.is_zero() && squarefree(volume).degree() < volume.degree());
       if (edges) {
         const auto at_start = [](const PolyVector& v) {
-          return v[0][0] == 0 && v[1][0] == 0 && v[2][0] == 0;
+          return v[0].at(0) == 0 && v[1].at(0) == 0 && v[2].at(0) == 0;
         };
         const bool parallel = is_zero(normal) && !is_zero(a) && !is_zero(b);
         note("edges parallel at the start", at_start(normal) && !at_start(a) && !at_start(b));
@@ -129,7 +106,7 @@ TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
     }
     bool still = true;
     for (const PolyVector& point : p) {
-      for (size_t k = 0; k < 3; ++k) still = still && point[k][1] == p[0][k][1];
+      for (size_t k = 0; k < 3; ++k) still = still && point[k].derivative() == p[0][k].derivative();
     }
     note("static", still);
     auto contact = linear::first_contact(*query);
