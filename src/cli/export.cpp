@@ -40,6 +40,11 @@ struct ExportOptions {
   bool round = false;
 };
 
+/// How much was written, for people; it is no part of what is written to the standard output.
+void tell(const ExportOptions& options, const std::string& text) {
+  is_standard_output(options.output) ? print_err(text + "\n") : print_out(text + "\n");
+}
+
 int export_tests(const ExportOptions& options, TestFramework framework, OutputFile& out) {
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
@@ -49,7 +54,7 @@ int export_tests(const ExportOptions& options, TestFramework framework, OutputFi
     });
   }));
   need(out.commit());
-  print_out(counted(count, "test", "tests") + "\n");
+  tell(options, counted(count, "test", "tests"));
   return kDone;
 }
 
@@ -107,7 +112,7 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   need(out.commit());
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
-  print_out(summary + "\n");
+  tell(options, summary);
   return kDone;
 }
 
@@ -135,7 +140,7 @@ int export_engine_tests(const ExportOptions& options, const EngineTemplate& engi
       return write_file(path, text);
     });
   }));
-  print_out(counted(paths.size(), "test", "tests") + "\n");
+  tell(options, counted(paths.size(), "test", "tests"));
   return kDone;
 }
 

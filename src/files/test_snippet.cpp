@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/text.hpp"
 #include "case/scale.hpp"
 #include "numeric/products.hpp"
 
@@ -275,9 +276,8 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
   }
   const Query& query = value.query;
   const Query moving = with_velocities(query).value_or(query);
-  std::string id = named.id;
-  std::replace(id.begin(), id.end(), '\n', ' ');
-  std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
+  // A carriage return ends a comment, too.
+  std::string out = fmt::format("\n// {}\n// {}\n", shown_line(named.id), truth_text(value));
   const std::string name = test_name(named.id, number);
   out += framework == TestFramework::kGoogleTest
              ? fmt::format("TEST(FoundByCcdfuzz, {}) {{\n", name)

@@ -64,16 +64,14 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
-/// Whether the path is that of the standard output, such as /dev/stdout. Its file may have no name
-/// by now, and what others write to it stays.
+}  // namespace
+
 bool is_standard_output(const std::string& path) {
   using Status = struct stat;
   Status at_path{}, standard{};
   return ::stat(path.c_str(), &at_path) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
          at_path.st_dev == standard.st_dev && at_path.st_ino == standard.st_ino;
 }
-
-}  // namespace
 
 std::optional<int> temporary_writer(std::string_view file_name) {
   if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;

@@ -96,7 +96,7 @@ class HeightErrorBound {
  private:
   /// At least |l|₂. The excess covers three more roundings: of the product, of its sum with
   /// `rounding`, and of that with a gap. The root has 4 + 1 roundings and half of the 3 before it,
-  /// below 2^-50 together.
+  /// below 2^-50 together. A subnormal |l|₂ it may miss: then kLeastAbsolute is more than any gap.
   static double above_norm2(const Axis& l) {
     constexpr double kExcess = 1 + 0x1p-49;
     if (const double squared = (l[0] * l[0] + l[1] * l[1]) + l[2] * l[2];
