@@ -52,11 +52,10 @@ class ExportedTests {
     write_text(cases_, cases);
     succeeded(ccdfuzz({"export", cases_, "--as", "gtest", "-o", folder_ / "found_test.cpp"}));
     compile("-Wall -Wextra -Werror -c found_test.cpp -o test.o");
-    compile("-c " CCDFUZZ_SOURCE_DIR "/tests/method/claiming_plugin.cpp -o claiming.o");
-    claiming_ = with_plugin("claiming.o");
+    claiming_ = with_plugin(CCDFUZZ_TEST_CLAIMING_PLUGIN);
   }
 
-  /// The program that they make with this object file or library.
+  /// The program that they make with this library.
   std::string with_plugin(const std::string& plugin) const {
     compile(
         fmt::format("test.o {0} -Wl,-rpath,$(dirname {0}) -o test-$(basename {0}) "
