@@ -130,8 +130,8 @@ class PairSplit {
   /// Deeper down windows are so short that h is almost a line, whose root the chord finds.
   static constexpr int kNewtonLevels = 3;
   /// From this depth on, pairs that are to be a distance apart take their axes at the window's
-  /// start, where a hit would be. Halfway, bodies that turn have other normals, and cells as far
-  /// apart as that come many to a level. Coarser pairs are decided over the whole window.
+  /// start, where a hit would be. Halfway, patches that turn have other normals, which leave many
+  /// pairs of a level together. Pops are fewest with 3, of the depths 0, 2, 3 and 5.
   static constexpr int kStartLevel = 3;
 
   NormalisedQuery query_;
