@@ -44,12 +44,12 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
 void write_minimised(const MinimizeOptions& options, Case value, bool json) {
   const bool had_tree =
       value.truth.clearance && std::holds_alternative<MissTree>(*value.truth.clearance);
-  need(carry_tree(value.truth, options.output.empty() ? "" : trees_path(options.file),
-                  options.output));
-  if (had_tree && options.output.empty()) {
+  const bool is_streamed = options.output.empty() || is_stream(options.output);
+  need(carry_tree(value.truth, is_streamed ? "" : trees_path(options.file), options.output));
+  if (had_tree && is_streamed) {
     print_err(
-        "ccdfuzz: minimize: without its tree of separating axes, which stdout cannot hold, the "
-        "case proves no absence of contact: use --output\n");
+        "ccdfuzz: minimize: without its tree of separating axes, which a stream cannot hold, the "
+        "case proves no absence of contact: use --output FILE\n");
   }
   const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
   if (!options.output.empty()) return need(write_file(options.output, text));

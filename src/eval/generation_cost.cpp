@@ -55,11 +55,7 @@ Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& c
 }
 
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs) {
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(case_path, ignored);
-  const bool is_stream =
-      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (is_stream) return {};  // nothing lies beside a pipe or a device
+  if (is_stream(case_path)) return {};
   std::string lines;
   for (const GenerationCost& cost : costs) lines += to_json(cost) + "\n";
   return write_file(costs_path(case_path), lines);

@@ -73,6 +73,13 @@ bool is_standard_output(const std::string& path) {
          at_path.st_dev == standard.st_dev && at_path.st_ino == standard.st_ino;
 }
 
+bool is_stream(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool is_file = fs::is_regular_file(status) || fs::is_directory(status);
+  return is_standard_output(path) || (fs::exists(status) && !is_file);
+}
+
 std::optional<int> temporary_writer(std::string_view file_name) {
   if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;
   file_name.remove_prefix(kTemporaryPrefix.size());

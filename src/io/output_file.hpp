@@ -11,6 +11,8 @@ namespace ccdfuzz {
 /// Whether the path is that of the standard output, such as /dev/stdout. Its file may have no name
 /// by now, and what others write to it stays.
 bool is_standard_output(const std::string& path);
+/// Whether it is that, a pipe or a device: nothing lies beside it.
+bool is_stream(const std::string& path);
 
 /// A file that appears complete or not at all. It is written under a temporary name in the same
 /// folder, flushed to the disk and renamed over its path by commit(). Until then, and for ever if
