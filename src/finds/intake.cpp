@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <tuple>
 #include <utility>
@@ -132,18 +133,21 @@ Result<void> Intake::store_all() {
 }
 
 Result<void> Intake::store_kept() {
+  const auto is_stored = [](const auto& entry) { return entry.second.stored; };
   Result<void> stored = notice_replacement();
-  if (!stored) return noted(stored);
-  for (auto& [failure, kept] : kept_) {
-    if (kept.stored) continue;
-    const Result<Store::Put> done = put(failure, kept.find);
-    if (!done) {
-      // Where one cannot be stored, the others are no worse off.
-      if (stored) stored = tl::unexpected(done.error());
-      continue;
+  while (stored && !std::ranges::all_of(kept_, is_stored)) {
+    for (auto& [failure, kept] : kept_) {
+      if (kept.stored) continue;
+      const Result<Store::Put> done = put(failure, kept.find);
+      if (!done) {
+        // Where one cannot be stored, the others are no worse off.
+        if (stored) stored = tl::unexpected(done.error());
+        continue;
+      }
+      kept.stored = true;
+      kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
     }
-    kept.stored = true;
-    kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
+    if (stored) stored = notice_replacement();
   }
   return noted(stored);
 }
