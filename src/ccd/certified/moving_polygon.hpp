@@ -9,9 +9,12 @@
 namespace ccdfuzz::certified {
 
 /// A moving polygon, whose corners are the differences of control points, about the origin: both
-/// patches touch where the origin is in it. Signs of crosses and of the determinant tell that (Law
-/// L1). A triangle, of equal corners where there are fewer, or a parallelogram. Integers:
-/// LongIntegers, whose sizes are Law L6, or ShortIntegers, whose sizes are in Law L10.
+/// patches touch where the origin is in it. Law L1: they touch iff the determinant is 0 and the
+/// first of these that applies holds. (a) In a component of which some cross is not 0, no two
+/// crosses have opposite signs. (b) In a coordinate that is not 0 at some corner, not all corners
+/// are on one side of 0. (c) All corners are 0. A triangle, of equal corners where there are fewer,
+/// or a parallelogram. Integers: LongIntegers, whose sizes are Law L6, or ShortIntegers, whose
+/// sizes are in Law L10.
 template <class Integers>
 class MovingPolygon {
  public:

@@ -19,7 +19,7 @@ inline constexpr double kLeastAbsolute = 0x1p-1000;
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component
 ///   |p' − p''| ≤ u·|p''| + absolute,   |v' − v''| ≤ u·|v''| + absolute,   u = 2^-53,
-/// and where a patch has ends (MovingPatch), w·t' is common to both for the first and
+/// but where a patch has ends (MovingPatch), the second is
 ///   t'·|v' − v''| ≤ 2u·(|p''| + |v''|) + t'·absolute.
 /// Time is t' = t / 2^time in [0, t_max]; t_max in [½, 1), or 0. A common c + t·w moves both
 /// patches alike, so contacts and their times are those of the query.

@@ -39,11 +39,11 @@ struct RangePair {
   [[no_unique_address]] Provenance of{};
 };
 
-/// E of DERIVATION.md, 3.
-/// Law C: let two sub-patches have at most `roundings` roundings behind each control point, and M ≥
-/// Σ max|p'| + max|v'|. Then fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact
-/// arithmetic. With a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near
-/// as d.
+/// E of DERIVATION.md, 3: of_rounding(l), and for_axis(l) with a separation.
+/// Law C: let two sub-patches have at most `roundings` roundings behind each control point, and let
+/// M be Σ max|p'| + max|v'|, summed in doubles: kSlack covers its roundings. Then fl(max₁) −
+/// fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact arithmetic. With a separation d it
+/// implies max₁ − min₂ < −d·|l|₂: no points of them are as near as d.
 class HeightErrorBound {
  public:
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
@@ -95,8 +95,9 @@ class HeightErrorBound {
 
  private:
   /// At least |l|₂. The excess covers three more roundings: of the product, of its sum with
-  /// `rounding`, and of that with a gap. The root has 4 + 1 roundings and half of the 3 before it,
-  /// below 2^-50 together. A subnormal |l|₂ it may miss: then kLeastAbsolute is more than any gap.
+  /// `rounding`, and of that with a gap. Half of 3 roundings come from the sum, one from x, y and
+  /// z, and 3 from the root and its products: they are below 2^-50 together. A subnormal |l|₂ it
+  /// may miss: then kLeastAbsolute is more than any gap.
   static double above_norm2(const Axis& l) {
     constexpr double kExcess = 1 + 0x1p-49;
     if (const double squared = (l[0] * l[0] + l[1] * l[1]) + l[2] * l[2];

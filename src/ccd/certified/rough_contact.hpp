@@ -20,10 +20,11 @@ struct RoughContact {
 /// Decides nearly all linear queries that are not degenerate, in a far shorter time than integers
 /// take (DERIVATION.md, 7, L9).
 /// Law L9: if all coefficients in Bernstein's basis are beyond their error bound on one side, that
-/// is the polynomial's sign throughout the window. Law L1 then decides from signs.
-/// [from, first] is looked at before the rest, if first > from: where a contact is likely. Times
-/// are normalised. Requires is_linear_pair, 0 ≤ from ≤ t_max, width ≥ 0 and FpGuard::holds(). With
-/// the width 0 no contact is proven: so it is where t_max is 0.
+/// is the polynomial's sign throughout the window. Law L1 then decides from signs. A contact is
+/// proven where the determinant has opposite signs at the ends of a window, and all crosses have
+/// one sign in one component. [from, first] is looked at before the rest, if first > from: where a
+/// contact is likely. Times are normalised. Requires is_linear_pair, 0 ≤ from ≤ t_max, width ≥ 0
+/// and FpGuard::holds(). With the width 0 no contact is proven: so it is where t_max is 0.
 RoughContact rough_contact(const NormalisedQuery& query, double from, double first, double width);
 
 }  // namespace ccdfuzz::certified

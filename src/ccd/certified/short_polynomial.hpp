@@ -71,8 +71,8 @@ struct ShortIntegers {
   using Determinant = ShortPolynomial<3, 384>;
 };
 
-/// A ShortPolynomial in doubles, each within a relative error of 2^-52. No coefficient but 0 is
-/// below 1. rough_contact has no use for it.
+/// A ShortPolynomial in doubles, each within a relative error of 2^-52. A coefficient is 0,
+/// or 1 at least in magnitude. rough_contact has no use for it.
 template <int Degree>
 struct RoughPolynomial {
   std::array<double, Degree + 1> c;
@@ -83,8 +83,8 @@ struct RoughPolynomial {
   }
 
   /// The sign that the polynomial has on all of [x − radius, x + radius], if doubles tell (Law
-  /// L10). Times are in [0, 1], and x is one, rounded: 0 ≤ x ≤ 1 + 2^-50. Requires x = 0 or x ≥
-  /// 2^-400. With radius = 0, x is a multiple of 2^-45: powers of less may underflow unseen.
+  /// L10). Times are in [0, 1], and x is such a time, rounded: 0 ≤ x ≤ 1 + 2^-50. Requires x = 0 or
+  /// x ≥ 2^-400. With radius = 0, x is a multiple of 2^-45: powers of less may underflow unseen.
   std::optional<int> sign_about(double x, double radius) const {
     double value = c[Degree], size = std::abs(c[Degree]), slope = Degree * size;
     for (std::size_t i = Degree; i-- > 0;) {

@@ -16,10 +16,11 @@ namespace ccdfuzz {
 /// short_contact.hpp (Law L10), linear_contact.hpp (Laws L1 to L8). Those on doubles need rounding
 /// to nearest, without FTZ and DAZ: answer sees to that (FpGuard).
 ///
-/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis, or
-/// outside of a patch's loops (below). On the axis the two control nets are apart by more than the
-/// error bound (Law C). They are so at both ends of the dropped time (Law A), or from one end up to
-/// the root of a chord (Law B). By convexity the axis then separates them throughout. So
+/// Never misses: the general search drops a pair of cells, or a part of a window, only with
+/// a separating axis, or outside of a patch's loops (below). On the axis the two control nets are
+/// apart by more than the error bound at an end of the window (Law C). At both ends, convexity
+/// gives the time between (Law A). At one, h is below the chord of its upper bounds, so negative up
+/// to the chord's root (Law B). Linear queries exclude times by signs of polynomials, too. So
 ///   miss       no contact in [0, t_max], for every valid query;
 ///   hit        a pair of cells no wider than max(precision, 2^-50) could not be separated in its
 ///              window, which begins at toi or at most 2^-20·t_max later; every contact is at toi
@@ -32,7 +33,8 @@ namespace ccdfuzz {
 /// O(precision), approach each other.
 /// With the precision 1 such a pair is of halves, as no axis is put to whole patches.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
-/// loops, which is decided exactly. A hit's cells are not proven to be outside.
+/// loops, which is decided exactly. So no cell of a hit is known to be outside,
+/// but uv may be.
 /// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at
 /// most max(precision, 2^-43)·t_max after toi. A subnormal toi is rounded down besides.
 /// Where numbers differ by too many binary places, or roots by too few (first_linear_contact), only
@@ -40,7 +42,7 @@ namespace ccdfuzz {
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
 /// That a hit's cells are about as near as d is tested (separation.not_early), but not proven.
 /// A hit on linear patches is decided only as far as doubles tell the distance from d.
-/// Keeps at most kKeptBytes between queries.
+/// Keeps at most kKeptBytes between queries. A law's tests are named by it in tests/ccd_certified.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);

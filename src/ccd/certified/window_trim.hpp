@@ -67,8 +67,8 @@ inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
   const Window whole = w;
   for (int sign = 0; sign < 2; ++sign) {
     const double h_lo = gaps.at_lo[sign] + bound, h_hi = gaps.at_hi[sign] + bound;
-    // Law B: fl(gap + bound) is an upper bound of h up to one rounding, which the slack in bound
-    // covers.
+    // Law B: fl(gap + bound) is an upper bound of h up to one rounding, the last one that
+    // kFixedRoundings counts.
     if (gaps.at_lo[sign] < -bound && h_hi >= 0) {
       w.lo = std::max(w.lo, chord_root(whole.lo, h_lo, whole.hi, h_hi));
     } else if (gaps.at_hi[sign] < -bound && h_lo >= 0) {
