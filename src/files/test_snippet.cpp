@@ -101,28 +101,32 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separa
   return (Plugin().description.claims & claim) != 0;
 }}
 
+/// What the plug-in and its answer tolerate of a kind, which may be relative to a whole.
+[[maybe_unused]] double tolerated(const ccdfuzz_answer& answer, std::uint32_t absolute,
+                                  std::uint32_t relative, double whole) {{
+  const ccdfuzz_description claimed = Plugin().description;
+  const bool is_relative = claimed.tolerance_kind == relative;
+  double most = is_relative || claimed.tolerance_kind == absolute ? claimed.tolerance : 0;
+  if (claims(CCDFUZZ_CONSERVATIVE)) most = 0;
+  if (answer.tolerance < most) most = answer.tolerance;
+  return is_relative ? most * whole : most;
+}}
+
 /// Whether a hit is no later than the tolerance in time that the plug-in claims allows.
 [[maybe_unused]] bool is_in_time(const ccdfuzz_answer& answer, double contact, double t_max) {{
-  const ccdfuzz_description claimed = Plugin().description;
-  const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME_RELATIVE;
-  double delay = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME ? claimed.tolerance : 0;
-  if (claims(CCDFUZZ_CONSERVATIVE)) delay = 0;
-  if (answer.tolerance < delay) delay = answer.tolerance;
-  if (is_relative) delay *= t_max;
-  return answer.toi_lower - contact <= delay;
+  return answer.toi_lower - contact <=
+         tolerated(answer, CCDFUZZ_TOLERANCE_TIME, CCDFUZZ_TOLERANCE_TIME_RELATIVE, t_max);
 }}
 
 /// Whether a miss or late hit of bodies overlooks no more than the plug-in tolerates in space. They
 /// come nearer at this speed, along a direction that keeps them apart until `since`.
 [[maybe_unused]] bool is_shallow(const ccdfuzz_answer& answer, double speed, double since,
                                  double t_max, double largest) {{
-  const ccdfuzz_description claimed = Plugin().description;
-  const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE_RELATIVE;
-  double depth = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE ? claimed.tolerance : 0;
-  if (answer.tolerance < depth) depth = answer.tolerance;
-  if (is_relative) depth *= largest;
+  const double depth =
+      tolerated(answer, CCDFUZZ_TOLERANCE_SPACE, CCDFUZZ_TOLERANCE_SPACE_RELATIVE, largest);
   const double until = answer.verdict == CCDFUZZ_HIT ? answer.toi_lower : t_max;
-  return !claims(CCDFUZZ_CONSERVATIVE) && speed * (until - since) <= depth + claimed.minimum_separation;
+  return !claims(CCDFUZZ_CONSERVATIVE) &&
+         speed * (until - since) <= depth + Plugin().description.minimum_separation;
 }}
 
 /// Whether a hit without a contact may be near enough for what the plug-in claims: a separation, or

@@ -128,7 +128,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
     if (file.descriptor_ < 0) return system_error(path, "write", errno);
     return file;
   }
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (is_stream(path)) {
     file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file.descriptor_ < 0) return system_error(path, "write", errno);
     return file;

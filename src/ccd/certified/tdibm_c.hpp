@@ -33,8 +33,7 @@ namespace ccdfuzz {
 /// O(precision), approach each other.
 /// With the precision 1 such a pair is of halves, as no axis is put to whole patches.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
-/// loops, which is decided exactly. So no cell of a hit is known to be outside,
-/// but uv may be.
+/// loops, which is decided exactly. So no cell of a hit is known to be outside, but uv may be.
 /// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at
 /// most max(precision, 2^-43)·t_max after toi. A subnormal toi is rounded down besides.
 /// Where numbers differ by too many binary places, or roots by too few (first_linear_contact), only
