@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "bezier/blossom.hpp"
+#include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "files/case_json.hpp"
 #include "generators/draw/draw.hpp"
@@ -112,6 +115,67 @@ TEST(LinearAdvance, StopsAtParametersInTheirDomain) {
         << to_json({query, {}, {}, {}});
   }
   EXPECT_GT(stopped, 900);
+}
+
+/// Some parameters all over a linear shape.
+std::vector<Uv<double>> grid_of(const Shape& shape) {
+  constexpr int kParts = 8;
+  std::vector<Uv<double>> grid;
+  for (int i = 0; i <= (shape.parameter_count() > 0 ? kParts : 0); ++i) {
+    for (int j = 0; j <= (shape.parameter_count() > 1 ? kParts - i : 0); ++j) {
+      grid.push_back({static_cast<double>(i) / kParts, static_cast<double>(j) / kParts});
+    }
+  }
+  return grid;
+}
+
+// Both orders of the patches: a point has no edge, whichever patch it is.
+TEST(LinearAdvance, FindsParametersOfNearestPoints) {
+  constexpr Shape kPoint = Shape::point(), kEdge = Shape::curve(1), kFace = Shape::triangle(1);
+  Draw random{Random::keyed({14})};
+  NormalisedQuery normalised;
+  for (const auto& shapes : {std::array{kEdge, kEdge},
+                             {kPoint, kEdge},
+                             {kEdge, kPoint},
+                             {kPoint, kFace},
+                             {kFace, kPoint}}) {
+    for (int i = 0; i < 100; ++i) {
+      Query query;
+      for (size_t s = 0; s < 2; ++s) {
+        query.patches[s].shape = shapes[s];
+        for (int c = 0; c < shapes[s].control_count(); ++c) {
+          Vec3<double> p;
+          for (int k = 0; k < 3; ++k) p[k] = full_double(random);
+          query.patches[s].positions.push_back(p);
+          query.patches[s].velocities.push_back(Vec3<double>::Zero());
+        }
+      }
+      const auto distance = [&](const Uv<double>& a, const Uv<double>& b) {
+        return (evaluate(query.patches[0], a, 0.0) - evaluate(query.patches[1], b, 0.0)).norm();
+      };
+      normalise(query, normalised);
+      const auto [a, b] = nearest_parameters(normalised, 0);
+      const double found = distance(a, b);
+      for (const Uv<double>& other : grid_of(shapes[0])) {
+        for (const Uv<double>& another : grid_of(shapes[1])) {
+          ASSERT_LE(found, distance(other, another) + 1e-12) << to_json({query, {}, {}, {}});
+        }
+      }
+    }
+  }
+}
+
+// The nearest point of the edge is its end, 0.197 away.
+TEST(LinearAdvance, KeepsADistanceBeyondTheEndOfAnEdge) {
+  const MovingPatch<double> edge{
+      Shape::curve(1), {{0, 0, 0}, {1, 0, 0}}, {2, Vec3<double>::Zero()}};
+  const MovingPatch<double> point{Shape::point(), {{1.1, 0, 0.17}}, {{0, 1, 0}}};
+  for (Query query : {Query{{edge, point}, 0.01}, Query{{point, edge}, 0.01}}) {
+    query.separation = 0.19;
+    EXPECT_EQ(TdibmC().answer(query, {}).verdict, Verdict::kMiss);
+    query.separation = 0.2;
+    EXPECT_EQ(TdibmC().answer(query, {}).verdict, Verdict::kHit);
+  }
 }
 
 TEST(LinearAdvance, TakesLinearShapesAlone) {

@@ -40,7 +40,7 @@ std::array<double, 2> nearest_of_edges(const Axis& d, const Axis& e, const Axis&
   const double area = ee * ff - ef * ef;
   double x = area > 0 ? unit_clamp((ef * df - ff * de) / area) : 0.5;
   double y = ff > 0 ? (df + x * ef) / ff : 0;
-  if (y < 0 || y > 1) {
+  if (ff == 0 || y < 0 || y > 1) {
     y = unit_clamp(y);
     x = ee > 0 ? unit_clamp((y * ef - de) / ee) : 0;
   }
