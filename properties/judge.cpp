@@ -167,14 +167,14 @@ void check_terms_of_time(Draw& d) {
   const bool at_zero = 5 * size * contact < terms.kept_separation;
   const bool too_near =
       before > 0 && nearest < terms.kept_separation && (terms.contact_at_zero || !at_zero);
-  const bool counts = contact <= t_max && (terms.closed_t_max || contact < t_max) &&
-                      (terms.contact_at_zero || contact > 0);
+  const bool left_out = !hit && !terms.closed_t_max && contact == t_max;
+  const bool counts = contact <= t_max && !left_out && (terms.contact_at_zero || contact > 0);
   const bool late = hit && toi > contact && toi - contact > terms.time_tolerance;
   const bool early = contact > toi && contact - toi > terms.early_tolerance;
   Outcome expected = Outcome::kUnknown;
   if (too_near || counts) {
     expected = !hit ? Outcome::kMissed : too_near || late ? Outcome::kLate : Outcome::kCorrect;
-  } else if (contact > t_max) {
+  } else if (contact > t_max || left_out) {
     const bool to_come = terms.early_tolerance > 0 && !early;
     expected = hit && !to_come ? Outcome::kFalsePositive : Outcome::kCorrect;
   }

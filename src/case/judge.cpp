@@ -42,11 +42,13 @@ std::optional<Rational> within(std::optional<Rational> by, double t_max) {
   return by;
 }
 
-/// The contact that an answer with these terms must not miss.
-std::optional<Rational> binding_contact(const CheckedCase& known, const AnswerTerms& terms) {
+/// The contact by which a hit, or a miss, with these terms is judged. Who leaves t_max out may
+/// still hit there.
+std::optional<Rational> binding_contact(const CheckedCase& known, bool hit,
+                                        const AnswerTerms& terms) {
   const double t_max = known.query().t_max;
   std::optional<Rational> by = within(known.contact_by(), t_max);
-  if (by && !terms.closed_t_max && *by == exact(t_max)) by.reset();
+  if (by && !hit && !terms.closed_t_max && *by == exact(t_max)) by.reset();
   if (by && !terms.contact_at_zero && *by == 0) by.reset();
   return by;
 }
@@ -166,11 +168,12 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   if (comes_nearer(known, terms, exact(hit ? *answer.toi : query.t_max))) {
     return hit ? Outcome::kLate : Outcome::kMissed;
   }
-  if (const auto contact = binding_contact(known, terms)) {
+  if (const auto contact = binding_contact(known, hit, terms)) {
     if (!hit) return Outcome::kMissed;
     const bool in_time = exact(*answer.toi) <= *contact + exact(terms.time_tolerance);
     return in_time ? Outcome::kCorrect : Outcome::kLate;
   }
+  if (!hit && !terms.closed_t_max && known.is_clear_before_t_max()) return Outcome::kCorrect;
   if (!known.is_clear()) return Outcome::kUnknown;
   if (!hit) return Outcome::kCorrect;
   const std::optional<Rational> later = known.contact_by();
@@ -212,6 +215,10 @@ Case with_t_max(const Case& value, double t_max) {
 
 bool CheckedCase::is_clear() const {
   return clearance_holds_ && covers(*value_.truth.clearance, exact(value_.query.t_max));
+}
+
+bool CheckedCase::is_clear_before_t_max() const {
+  return clearance_holds_ && until_of(*value_.truth.clearance) >= exact(value_.query.t_max);
 }
 
 const Clearance* CheckedCase::clearance() const {

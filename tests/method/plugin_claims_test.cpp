@@ -362,6 +362,8 @@ TEST(PluginClaims, AFaultInPlaceOfThemHasAName) {
   for (const auto& [line, name] : std::map<std::string, std::string>{
            {R"({"fault":"memory","message":"m"})", "memory"},
            {R"({"fault":""})", "garbage"},
+           {R"({"fault":"refused"})", "garbage"},
+           {R"({"fault":"number 17"})", "garbage"},
            {R"({"fault":3})", "garbage"},
            {R"({"fault":{}})", "garbage"},
        }) {
