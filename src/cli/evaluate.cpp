@@ -136,14 +136,15 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
                         contacts, absences, queries - contacts - absences));
 }
 
-void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
+void write_evaluation_page(ReportRows& shown, const Rows& rows,
+                           const std::vector<GenerationCost>& costs,
                            const std::vector<std::string>& files,
                            const EvaluateArguments& arguments, int threads) {
   ReportPage page;
   page.title = files.size() == 1 ? fmt::format("Evaluation of {}", files.front())
                                  : fmt::format("Evaluation of {} files", files.size());
   page.command = command_line();
-  rows.finish(page, costs);
+  shown.finish(page, rows, costs);
   need(write_report(page, arguments.page, threads));
 }
 
@@ -193,7 +194,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     need(kept->file.rename(answers));
   }
   if (!arguments.page.empty())
-    write_evaluation_page(page, costs, files, arguments, session.threads);
+    write_evaluation_page(page, rows, costs, files, arguments, session.threads);
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_row(row);
   } else {

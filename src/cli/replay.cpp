@@ -277,10 +277,10 @@ class Replay {
     bool all = true;
     for (const std::string& method : options_.methods) {
       if (asked_.contains(method)) continue;
-      print_err(
-          fmt::format("ccdfuzz: replay: {} was asked nothing: no entry expects anything of it"
-                      "{}\n",
-                      method, options_.expect ? " or it takes none" : "; see --expect"));
+      print_err(fmt::format("ccdfuzz: replay: {} was judged by nothing: {}\n", method,
+                            options_.expect
+                                ? "it takes no entry, or claims to find none of the contacts"
+                                : "no entry expects anything of it; see --expect"));
       all = false;
     }
     return all;

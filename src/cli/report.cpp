@@ -64,7 +64,8 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   EvaluateOptions evaluated_as;
   evaluated_as.shard = header.shard;
   evaluated_as.threads = session.threads;
-  ReportRows rows;
+  Rows rows;
+  ReportRows shown;
   std::uint64_t done = 0;
   need(evaluate(
       header.inputs, evaluated_as, &answers,
@@ -72,7 +73,8 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
           double share) -> Result<void> {
         if (is_new)
           return input_error(answers.lines.where(), "is the last line: none is of " + named.id);
-        rows.add(evaluated, named.value, search.options_for(named.value).precision);
+        rows.add(evaluated);
+        shown.add(evaluated, named.value, search.options_for(named.value).precision);
         session.progress().show(share, evaluated.contact, ++done, "cases");
         return {};
       },
@@ -81,7 +83,7 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   const std::vector<GenerationCost> costs = need(read_costs(header.inputs));
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
-  rows.finish(report, costs);
+  shown.finish(report, rows, costs);
   return report;
 }
 

@@ -77,21 +77,12 @@ struct Row {
   Tally tally;
 
   static void fields(auto& archive, auto& row) {
-    const Tally& tally = row.tally;
     archive("class", row.key.contact);
     archive("kinds", row.key.kind);
     archive("t_max_factor", row.key.factor);
     archive("method", row.key.method);
-    Tally::fields(archive, tally);
-    const auto n = static_cast<double>(tally.n);
-    archive("mean_pops", tally.n == 0 ? 0.0 : static_cast<double>(tally.pops) / n);
-    archive("mean_bytes", tally.bytes.mean());
-    archive("median_bytes", tally.bytes.median());
-    archive("p99_bytes", tally.bytes.p99());
-    archive("max_bytes", tally.bytes.largest());
-    archive("mean_seconds", tally.seconds.mean());
-    archive("median_seconds", tally.seconds.median());
-    archive("p99_seconds", tally.seconds.p99());
+    Tally::fields(archive, row.tally);
+    Tally::measures(archive, row.tally);
   }
 };
 

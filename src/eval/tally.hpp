@@ -21,7 +21,7 @@ struct Tally {
   std::uint64_t pops = 0;
   LogHistogram seconds, bytes;  ///< each answer's
 
-  /// The counts; neither pops nor what was measured.
+  /// The counts.
   static void fields(auto& archive, auto& tally) {
     archive("n", tally.n);
     archive("positives", tally.positives);
@@ -29,6 +29,19 @@ struct Tally {
     for (const Outcome o : kAllOutcomes) {
       archive(name_of(o), tally.by_outcome[static_cast<size_t>(o)]);
     }
+  }
+
+  /// What the answers cost. It can be written, not read.
+  static void measures(auto& archive, const Tally& tally) {
+    const auto n = static_cast<double>(tally.n);
+    archive("mean_pops", tally.n == 0 ? 0.0 : static_cast<double>(tally.pops) / n);
+    archive("mean_bytes", tally.bytes.mean());
+    archive("median_bytes", tally.bytes.median());
+    archive("p99_bytes", tally.bytes.p99());
+    archive("max_bytes", tally.bytes.largest());
+    archive("mean_seconds", tally.seconds.mean());
+    archive("median_seconds", tally.seconds.median());
+    archive("p99_seconds", tally.seconds.p99());
   }
 
   void add(const Cost& cost, Outcome outcome, std::optional<bool> collides) {

@@ -66,21 +66,20 @@ Json loss_json(const Case& known, const Trace::Loss& loss) {
   return row;
 }
 
-/// [level, window from t*, to t*, cells, ulps, axis, slack, direction, below, excluded from t*]
+/// [level, window from t*, to t*, cells, ulps, axis, direction, below, excluded from t*]
 Json step_json(const Rational& t, const Trace::Step& step) {
   Json row = Json::array(
       {step.place.level,
        pair_of(shortened(from(t, step.place.window.lo)), shortened(from(t, step.place.window.hi))),
-       cells_json(step.place), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr});
-  if (step.slack) row[5] = shortened(*step.slack);
+       cells_json(step.place), nullptr, nullptr, nullptr, nullptr, nullptr});
   if (!step.margin) return row;
   const ExcludedInterval& by = step.margin->by;
   row[3] = shortened(static_cast<double>(step.margin->ulps), 4);
   row[4] = by.axis;
-  row[6] = Json::array();
-  for (int k = 0; k < 3; ++k) row[6].push_back(shortened(by.direction[k], 7));
-  row[7] = by.below;
-  row[8] = pair_of(shortened(from(t, by.times.lo)), shortened(from(t, by.times.hi)));
+  row[5] = Json::array();
+  for (int k = 0; k < 3; ++k) row[5].push_back(shortened(by.direction[k], 7));
+  row[6] = by.below;
+  row[7] = pair_of(shortened(from(t, by.times.lo)), shortened(from(t, by.times.hi)));
   return row;
 }
 

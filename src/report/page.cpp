@@ -57,7 +57,6 @@ Json methods_json(const std::vector<std::string>& methods) {
   for (const std::string& method : methods) {
     Json row = {{"spec", method}};
     if (const Result<MethodInfo> info = method_info(method)) {
-      row["source"] = info->source;
       row["description"] = info->description;
       row["claims"] = info->claims_no_false_negative;
     }

@@ -20,7 +20,6 @@ constexpr int kSamplesOfEach = 4;
 }  // namespace
 
 void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double precision) {
-  rows_.add(evaluated);
   add_curvatures(known);
   std::optional<ReportedCase> open;
   for (const GivenAnswer& given : evaluated.answers) {
@@ -55,9 +54,10 @@ void ReportRows::keep(ReportedCase reported, const Case& known,
   (failed ? failed_ : samples_).push_back(std::move(reported));
 }
 
-void ReportRows::finish(ReportPage& report, const std::vector<GenerationCost>& costs) {
-  report.rows = rows_.in_order();
-  if (Table linear = paper_table_3(rows_); linear.row_count() > 0) {
+void ReportRows::finish(ReportPage& report, const Rows& rows,
+                        const std::vector<GenerationCost>& costs) {
+  report.rows = rows.in_order();
+  if (Table linear = paper_table_3(rows); linear.row_count() > 0) {
     report.tables.push_back(
         {"table-3", "Table 3. Linear queries, beside the paper's", std::move(linear)});
   }

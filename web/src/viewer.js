@@ -185,7 +185,7 @@ export class Viewer {
     });
     const loss = this.traceOf(this.method)?.loss;
     const step = this.step();
-    this.axis = loss?.level === this.level && loss.direction ? loss.direction : step?.[6] ?? null;
+    this.axis = loss?.level === this.level && loss.direction ? loss.direction : step?.[5] ?? null;
     const failed = loss?.level === this.level && Boolean(loss.direction);
     const drawable = this.axis?.every(Number.isFinite) && Math.max(...this.axis.map(Math.abs)) > 0;
     this.stage?.load(parts, {
@@ -262,7 +262,7 @@ export class Viewer {
     if (loss?.level === this.level && loss.excluded) {
       return loss.excluded.map((t) => toNumber(subtract(fractionOf(t), this.centre.t)));
     }
-    return this.step()?.[8] ?? null;
+    return this.step()?.[7] ?? null;
   }
 
   fillPlots() {
@@ -277,7 +277,7 @@ export class Viewer {
       nodes.push(heightsPlot({
         controls,
         axis: unit(this.axis),
-        below: loss ? loss.below : step?.[7] ?? 0,
+        below: loss ? loss.below : step?.[6] ?? 0,
         range: this.plotRange(),
         excluded: this.excluded(),
         failed: Boolean(loss),

@@ -79,14 +79,13 @@ struct Trace {
   };
   std::optional<Slack> slack;
 
-  /// One pair that contains the witness: the rest of its window after the test, and its own margin
-  /// and slack. There is no margin where no axis excludes anything; at a loss it is 0 ulps.
+  /// One pair that contains the witness: the rest of its window after the test, and its own margin.
+  /// There is none where no axis excludes anything; at a loss it is 0 ulps.
   struct Step {
     TracePlace place;
     std::optional<Window> left;
     bool lost = false;
     std::optional<Margin> margin;
-    std::optional<double> slack;
   };
   /// Every pair, in the order of the tests, if TraceOptions::steps asked for them.
   std::vector<Step> steps;

@@ -24,14 +24,13 @@ void WitnessWatch::look_at(const TracePlace& place) {
   place_ = place;
   claim_.reset();
   margin_.reset();
-  slack_.reset();
   ++trace_.pairs;
   trace_.levels = place.level;
 }
 
 bool WitnessWatch::judge(const std::optional<Window>& left) {
   const bool kept = left && holds(*left);
-  if (steps_) trace_.steps.push_back({place_, left, !kept, margin_, slack_});
+  if (steps_) trace_.steps.push_back({place_, left, !kept, margin_});
   if (kept) return true;
   ++trace_.lost_pairs;
   if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(ExcludedInterval{}), left};
@@ -64,7 +63,6 @@ void WitnessWatch::compared(const SignedGap& gap) {
     at_t += (gap.at_hi - gap.at_lo) * ((time_.lo - w.lo) / (w.hi - w.lo));
   }
   const double slack = at_t / gap.in_units_of;
-  if (slack_ ? slack < *slack_ : slack == slack) slack_ = slack;
   if (trace_.slack ? slack < trace_.slack->value : slack == slack) {
     trace_.slack = Trace::Slack{slack, place_, gap};
   }

@@ -31,7 +31,6 @@ class WitnessWatch final : public ExclusionObserver {
   TracePlace place_;
   std::optional<ExcludedInterval> claim_;  ///< the first of this test that contains the witness
   std::optional<Trace::Margin> margin_;    ///< in this test
-  std::optional<double> slack_;            ///< in this test
   bool steps_ = false;
 };
 
