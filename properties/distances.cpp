@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -90,7 +91,24 @@ void check_decision_apart(Draw& d) {
   CLAIM(known.truth.collides != false);
 }
 
-/// A hit on a linear query is a contact, as far as doubles tell, and a miss is none.
+/// A hit is at the distance, as far as doubles tell, or with pops as far as cells do.
+void claim_at_distance(const Query& query, double size, Draw& d) {
+  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
+  show(d, "toi", answer.toi);
+  show(d, "query", query);
+  constexpr std::uint64_t kFewPops = 300;
+  if (answer.verdict == Verdict::kMiss) {
+    CLAIM(decide_briefly(query, kFewPops).truth.collides != true);
+  }
+  if (answer.verdict != Verdict::kHit) return;
+  // Bounds, and the last step of 2^-44 of the way, are well below 2^-24 of the size. Cells of the
+  // precision 1e-4 are below 2^-10 of it.
+  Query nearly = query;
+  nearly.separation += size * (answer.pops == 0 ? 0x1p-24 : 0x1p-10);
+  CLAIM(decide_briefly(nearly, kFewPops).truth.collides != false);
+}
+
+/// A hit on a linear query is a contact, and a miss is none, in both orders of the patches.
 void check_linear_apart(Draw& d) {
   Query query = supposed(draw_linear(d));
   double size = 0;
@@ -103,17 +121,9 @@ void check_linear_apart(Draw& d) {
   const int exponent = -static_cast<int>(d.integer(0, 12));
   query.separation = size * std::ldexp(d.pick(std::array{1.0, 1.25}), exponent);
   suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
-  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
-  show(d, "toi", answer.toi);
-  show(d, "query", query);
-  constexpr std::uint64_t kFewPops = 300;
-  if (answer.verdict == Verdict::kMiss) {
-    CLAIM(decide_briefly(query, kFewPops).truth.collides != true);
-  }
-  if (answer.verdict != Verdict::kHit) return;
-  // Bounds, and the last step of 2^-44 of the way, are well below this part of the size.
-  query.separation += size * 0x1p-24;
-  CLAIM(decide_briefly(query, kFewPops).truth.collides != false);
+  claim_at_distance(query, size, d);
+  std::swap(query.patches[0], query.patches[1]);
+  claim_at_distance(query, size, d);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr int kMostSteps = 3;
 constexpr int kMostStepsInPlane = 8;
 /// The same where a separation is asked for, of which nothing else decides. Let the patches be
 /// nearest at some time, and about the separation apart there. A step towards that time halves the
-/// way left, so a step of 2^-44 is reached in fewer.
+/// way left, so a step of 2^-44 is reached in fewer, unless edges turn across each other.
 constexpr int kMostStepsApart = 200;
 /// Stop after a step shorter than this part of t_max: the patches are then within about a hundred
 /// times the error bound of each other.

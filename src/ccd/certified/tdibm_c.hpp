@@ -40,7 +40,8 @@ namespace ccdfuzz {
 /// what is said above holds. The answer's note says so then.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
 /// That a hit's cells are about as near as d is tested (separation.not_early), but not proven.
-/// A hit on linear patches is decided only as far as doubles tell the distance from d.
+/// A hit on linear patches without pops is decided as far as doubles tell the distance from d. With
+/// pops, which edges that turn may take, it is as near as any other hit.
 /// Keeps at most kKeptBytes between queries. A law's tests are named by it in tests/ccd_certified.
 class TdibmC {
  public:
