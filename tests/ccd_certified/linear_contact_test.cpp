@@ -227,8 +227,7 @@ TEST(LawL8, TheTimeIsNoMoreThanAStepBeforeTheContact) {
     for (const int level : {44, 47, 50}) {
       const Rational toi = exact(first_linear_contact(query, level).toi);
       ASSERT_LE(toi, contact->time.hi()) << to_json({query, {}, {}, {}});
-      // A step, and what its rounding and the contact's bracket add.
-      const Rational early = exact(query.t_max) * power_of_two(1 - level);
+      const Rational early = exact(query.t_max) * power_of_two(-level) + toi * power_of_two(-48);
       ASSERT_LE(contact->time.lo(), toi + early) << to_json({query, {}, {}, {}});
     }
   }

@@ -25,15 +25,15 @@ struct LinearContact {
 /// Law L2: the first contact is at 0 or at a root of the determinant. If that is 0 throughout, the
 /// first contact is at 0 or at a root of a cross. If crosses are 0 throughout, too, it is at 0 or
 /// at a root of a corner's coordinate.
-/// Each root is the only one in a part of the time step (Law L3), or it is repeated. Then it is
-/// a ratio of integers, as the degree is 3 at most (Law L4). The sign of another polynomial there
-/// is found, too (Law L5). Integers fit (Law L6).
+/// Each root is the only one in a part of the time step (Law L3), or one is repeated. Then all
+/// roots are ratios of integers, as the degree is 3 at most (Law L4). The sign of another
+/// polynomial there is found, too (Law L5). Integers fit (Law L6).
 /// Law L7: it covers a query if the numbers of each coordinate by itself are multiples of one power
 /// of two, and less than 2^254 times it. These numbers are positions, and velocities times t_max.
-/// A patch with ends has its positions and ends, times t_max, in place of velocities, less than
-/// 2^253 times it.
-/// A proven contact is at toi + 2^-level·t_max at most, but for the rounding of toi (Law L8); level
-/// ≤ 50.
+/// Where a patch has ends, its positions times t_max and its ends times t_max count in place of
+/// velocities times t_max. They are less than 2^253 times it.
+/// Law L8: a proven contact is at toi or later, and by toi + 2^-level·t_max, but for the rounding
+/// of toi. That is less than 2^-48 of toi and a subnormal number; level ≤ 50.
 /// Requires finite numbers, t_max ≥ 0 and is_linear_pair.
 LinearContact first_linear_contact(const Query& query, int level);
 

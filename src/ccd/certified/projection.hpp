@@ -41,9 +41,9 @@ struct RangePair {
 
 /// E of DERIVATION.md, 3: of_rounding(l), and for_axis(l) with a separation.
 /// Law C: let two sub-patches have at most `roundings` roundings behind each control point, and let
-/// M be Σ max|p'| + max|v'|, summed in doubles: kSlack covers its roundings. Then fl(max₁) −
-/// fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact arithmetic. With a separation d it
-/// implies max₁ − min₂ < −d·|l|₂: no points of them are as near as d.
+/// M be Σ max|p'| + max|v'|, summed in doubles: kSlack covers its roundings. Then, at any double t'
+/// in [0, 1], fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact arithmetic. With
+/// a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near as d.
 class HeightErrorBound {
  public:
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1

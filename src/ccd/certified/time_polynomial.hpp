@@ -8,7 +8,8 @@ namespace ccdfuzz::certified {
 
 /// Coordinates are integers below 2^kMostBits where linear contacts are decided.
 inline constexpr int kMostBits = 256;
-// Law L6: all that is computed of them fits. A product takes a limb more than it may fill.
+// Law L6: all that is computed of them fits. The longest has 26·kMostBits + 60 bits: a cross at
+// the root beside a repeated one (Law L4). A product takes a limb more than it may fill.
 using Int = BoundedInt<26 * kMostBits + 128>;
 
 /// From m·2^-level to (m + 1)·2^-level; the whole time step is [0, 1].
