@@ -129,7 +129,8 @@ std::vector<Uv<double>> grid_of(const Shape& shape) {
   return grid;
 }
 
-// Both orders of the patches: a point has no edge, whichever patch it is.
+// Both orders of the patches: a point has no edge, whichever patch it is. Half of all edges and
+// faces have two control points in one place.
 TEST(LinearAdvance, FindsParametersOfNearestPoints) {
   constexpr Shape kPoint = Shape::point(), kEdge = Shape::curve(1), kFace = Shape::triangle(1);
   Draw random{Random::keyed({14})};
@@ -149,6 +150,9 @@ TEST(LinearAdvance, FindsParametersOfNearestPoints) {
           query.patches[s].positions.push_back(p);
           query.patches[s].velocities.push_back(Vec3<double>::Zero());
         }
+        Points<double>& points = query.patches[s].positions;
+        const size_t n = points.size(), at = static_cast<size_t>(i / 4) % n;
+        if ((i >> s) % 2 == 1) points[at] = points[(at + 1) % n];
       }
       const auto distance = [&](const Uv<double>& a, const Uv<double>& b) {
         return (evaluate(query.patches[0], a, 0.0) - evaluate(query.patches[1], b, 0.0)).norm();

@@ -55,11 +55,11 @@ std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& 
   const double b2 = -dot_of(ab, b), c2 = -dot_of(ac, b);
   if (b2 >= 0 && c2 <= b2) return {1, 0};
   const double of_c = b1 * c2 - b2 * c1;
-  if (of_c <= 0 && b1 >= 0 && b2 <= 0) return {b1 > b2 ? b1 / (b1 - b2) : 0, 0};
+  if (of_c <= 0 && b1 > 0 && b2 < 0) return {b1 / (b1 - b2), 0};
   const double b3 = -dot_of(ab, c), c3 = -dot_of(ac, c);
   if (c3 >= 0 && b3 <= c3) return {0, 1};
   const double of_b = b3 * c1 - b1 * c3;
-  if (of_b <= 0 && c1 >= 0 && c3 <= 0) return {0, c1 > c3 ? c1 / (c1 - c3) : 0};
+  if (of_b <= 0 && c1 > 0 && c3 < 0) return {0, c1 / (c1 - c3)};
   const double of_a = b2 * c3 - b3 * c2;
   if (of_a <= 0 && c2 - b2 >= 0 && b3 - c3 >= 0) {
     const double sum = (c2 - b2) + (b3 - c3), share = sum > 0 ? (c2 - b2) / sum : 0;
