@@ -50,16 +50,13 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
       files.push_back(input);
       continue;
     }
-    std::vector<std::string> inside;
-    fs::recursive_directory_iterator at(input, error), end;
-    for (; !error && at != end; at.increment(error)) {
+    CCDFUZZ_TRY(const auto inside, files_under(input, [](const std::string& name) {
+                  return temporary_writer(name).has_value();
+                }));
+    std::ranges::copy_if(inside, std::back_inserter(files), [](const std::string& path) {
       std::error_code gone;  // meanwhile
-      const bool is_being_written = temporary_writer(at->path().filename().string()).has_value();
-      if (!is_being_written && at->is_regular_file(gone)) inside.push_back(at->path());
-    }
-    if (error) return input_error(input, "cannot be read: " + error.message());
-    std::ranges::sort(inside);
-    std::ranges::move(inside, std::back_inserter(files));
+      return fs::is_regular_file(path, gone);
+    });
   }
   return files;
 }

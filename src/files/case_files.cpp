@@ -9,6 +9,7 @@
 
 #include "base/verify.hpp"
 #include "files/case_json.hpp"
+#include "io/input_bytes.hpp"
 #include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 
@@ -92,20 +93,15 @@ class CsvCases : public CaseFile {
 };
 
 Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (auto it = fs::recursive_directory_iterator(folder, error);
-       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+  CCDFUZZ_TRY(auto files, files_under(folder, [](const std::string&) { return false; }));
+  std::erase_if(files, [](const std::string& path) {
     std::error_code vanished;
-    const std::string path = it->path().string();
-    if (path.ends_with(".csv") && it->is_regular_file(vanished)) files.push_back(path);
-  }
-  if (error) return system_error(folder, "read", error.value());
+    return !path.ends_with(".csv") || !fs::is_regular_file(path, vanished);
+  });
   if (files.empty())
     return input_error(folder,
                        "is a folder without a .csv in it; accepted are such folders, and files of "
                        "cases: .json, .jsonl, .jsonl.zst, .csv");
-  std::ranges::sort(files);
   return files;
 }
 

@@ -5,27 +5,20 @@
 
 #include "files/check_file.hpp"
 #include "io/input_bytes.hpp"
-#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 
 namespace fs = std::filesystem;
 
 Result<std::vector<std::string>> list_entries(const std::string& folder) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (auto it = fs::recursive_directory_iterator(folder, error);
-       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+  CCDFUZZ_TRY(auto paths, files_under(folder, [](const std::string& name) {
+                return name.starts_with('.') || name == kClaims;
+              }));
+  std::erase_if(paths, [](const std::string& path) {
     std::error_code vanished;
-    const std::string name = it->path().filename().string();
-    const bool hidden = name.starts_with('.') || name == kClaims;
-    if (hidden) it.disable_recursion_pending();
-    if (hidden || it->path().extension() != ".json" || it->is_directory(vanished)) continue;
-    paths.push_back(it->path().string());
-    CCDFUZZ_TRY_VOID(refuse_irregular(paths.back()));
-  }
-  if (error) return system_error(folder, "read", error.value());
-  std::sort(paths.begin(), paths.end());
+    return fs::path(path).extension() != ".json" || fs::is_directory(path, vanished);
+  });
+  for (const std::string& path : paths) CCDFUZZ_TRY_VOID(refuse_irregular(path));
   return paths;
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
@@ -109,6 +110,25 @@ Result<void> refuse_irregular(const std::string& path) {
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status) || fs::is_regular_file(status)) return {};
   return input_error(path, "is not a regular file");
+}
+
+Result<std::vector<std::string>> files_under(
+    const std::string& folder, const std::function<bool(const std::string& name)>& is_left_out) {
+  std::vector<std::string> files, folders{folder};
+  while (!folders.empty()) {
+    const std::string next = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error;
+    for (fs::directory_iterator at(next, error), end; !error && at != end; at.increment(error)) {
+      if (is_left_out(at->path().filename())) continue;
+      std::error_code gone;  // meanwhile
+      const bool is_folder = at->symlink_status(gone).type() == fs::file_type::directory;
+      (is_folder ? folders : files).push_back(at->path());
+    }
+    if (error) return system_error(next, "read", error.value());
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 
@@ -19,6 +21,12 @@ Result<CaseFileKind> case_file_kind(const std::string& path);
 /// For a path that no command line names but a file or a folder, where a pipe would block for ever.
 /// Errors: what is there is not a regular file.
 Result<void> refuse_irregular(const std::string& path);
+
+/// Sorted paths of what is in a folder and in the folders in it. Links to folders are not followed.
+/// is_left_out: of a name, whether nothing is to be seen of it, or of what is in it. Errors: a
+/// folder that cannot be read, naming that one.
+Result<std::vector<std::string>> files_under(
+    const std::string& folder, const std::function<bool(const std::string& name)>& is_left_out);
 
 /// Bytes of a file, from the start, a piece at a time; decompressed where it is zstd.
 class InputBytes {

@@ -194,6 +194,21 @@ TEST(StoreInTrouble, AReadOnlyFolderIsAnErrorAtOnce) {
   fs::permissions(folder.path(), fs::perms(0755));
 }
 
+TEST(StoreInTrouble, AFolderInsideThatCannotBeReadIsNamed) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "above/below");
+  fs::permissions(folder.path(), fs::perms(0755));
+  fs::permissions(folder / "above/below", fs::perms(0000));
+  EXPECT_EQ(as_nobody([&] {
+              const auto entries = list_entries(folder.path());
+              return !entries && entries.error().message() ==
+                                     folder / "above/below: cannot read: Permission denied"
+                         ? 0
+                         : 1;
+            }),
+            0);
+}
+
 TEST(StoreInTrouble, AFullDiskIsAnErrorAndKeepsTheFindsSoFar) {
   const ScratchFolder folder;
   // A limit on the size of files stops the write as a full disk does, in the middle of the text.
