@@ -192,15 +192,17 @@ bool asked_nothing(const HuntReport& report) {
 
 void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {
   std::string why = "the time was over before";
+  std::string more = options.cases > 0 ? ": try more --cases" : ": try more --seconds";
   const auto refuses = [](const HuntCell& cell) { return cell.tally.not_asked() > 0; };
   if (std::ranges::any_of(report.cells, refuses)) {
     why = fmt::format("every method refused what it was to be asked about {} cases", report.cases);
+    more.clear();
   } else if (report.cases > 0) {
     why = fmt::format("none of {} cases drawn can be", report.cases);
     if (options.within > 0) why += fmt::format(" with --within {}", options.within);
   }
-  print_err(fmt::format("ccdfuzz: hunt: nothing was checked: no query was asked; {}: try more {}\n",
-                        why, options.cases > 0 ? "--cases" : "--seconds"));
+  print_err(
+      fmt::format("ccdfuzz: hunt: nothing was checked: no query was asked; {}{}\n", why, more));
 }
 
 bool fails(const HuntReport& report, FailOn fail_on) {
