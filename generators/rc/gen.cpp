@@ -85,6 +85,14 @@ rc::Gen<ChoiceNumbers> choices() {
 
 rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
   demand(validate(range), "gen::contact");
+  if (promised.scale && *promised.scale < 1) {
+    throw std::invalid_argument(
+        fmt::format("gen::contact: scale: {} is not at least 1", *promised.scale));
+  }
+  if (range.shapes && !promised.pairs.empty()) {
+    throw std::invalid_argument(
+        "gen::contact: shapes: are given, and so are pairs that are promised");
+  }
   for (const Domain::Pair& pair : promised.pairs) {
     ContactRange largest = range;
     largest.shapes = shapes_of(pair, [](int most) { return most; });

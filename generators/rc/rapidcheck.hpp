@@ -37,8 +37,9 @@ namespace gen {
 
 /// Two patches that touch: draw_contact. promised: the queries that the code promises to answer,
 /// of which alone contacts are drawn and shrunk. Its pairs, if any, are the shapes, in this order.
-/// Errors: throws std::invalid_argument if validate refuses the range. The generator does so if
-/// kMostRefused contacts in a row are not promised.
+/// Errors: throws std::invalid_argument if validate refuses the range, if both have shapes, and for
+/// a promised scale below 1. The generator does so if kMostRefused contacts in a row are not
+/// promised.
 inline constexpr int kMostRefused = 2000;
 rc::Gen<Contact> contact(const ContactRange& range = {}, const Domain& promised = {});
 
@@ -46,7 +47,7 @@ rc::Gen<Contact> contact(const ContactRange& range = {}, const Domain& promised 
 /// used. Errors: throws std::invalid_argument if validate refuses the options.
 rc::Gen<Case> inverse(const GeneratorOptions& options);
 
-/// The same of any class, kind, family and shapes.
+/// The same of any class, kind and shapes, and of any family of plain patches (kFamilies).
 rc::Gen<Case> inverse();
 
 /// A contact with one to four moves that keep it (mutate): towards coincidences, other parameters,

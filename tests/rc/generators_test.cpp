@@ -173,6 +173,11 @@ TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
   EXPECT_EQ(refusal_of(far, promised),
             "gen::contact: none of 2000 contacts of this range keeps to: within 2^±7, ordinary "
             "queries alone");
+  promised.scale = 0;
+  EXPECT_EQ(refusal_of({}, promised), "gen::contact: scale: 0 is not at least 1");
+  promised.scale.reset();
+  EXPECT_EQ(refusal_of({.shapes = {{Shape::point(), Shape::point()}}}, promised),
+            "gen::contact: shapes: are given, and so are pairs that are promised");
   promised.pairs[0].max_degrees[1] = 9;
   EXPECT_EQ(refusal_of({}, promised),
             "gen::contact: shapes: triangle(9) is no patch of degrees from 1 to 8");
