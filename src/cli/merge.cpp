@@ -186,7 +186,8 @@ int merge_corpora(const MergeOptions& options, Session& session) {
       counted(inputs.size(), "corpus", "corpora"), merged.taken, merged.now, output));
   if (const MergedClaims& claims = merged.claims; claims.entries > 0) {
     session.summary(fmt::format(
-        "{} inputs of properties, {} taken over, {} now in {}/{}{}", claims.entries, claims.taken,
+        "{}, {} taken over, {} now in {}/{}{}",
+        counted(claims.entries, "input of properties", "inputs of properties"), claims.taken,
         claims.now, output, kClaims,
         claims.without_input == 0
             ? ""

@@ -7,6 +7,7 @@
 #include "files/query_json.hpp"
 #include "io/fields.hpp"
 #include "io/serve.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_method.hpp"
 
 namespace ccdfuzz {
@@ -47,6 +48,9 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
       description("protocol", 1);
       description("name", spec);
       description("conservative", info && info->claims_no_false_negative);
+      for (const FeatureClaim& claim : kFeatureClaims) {
+        description(claim.field, info && info->features.*claim.feature);
+      }
     });
   }
   const Query query = value_or_throw(parse_query(question, "the question"));
