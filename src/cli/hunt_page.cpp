@@ -22,6 +22,11 @@ std::string option(const char* name, const std::vector<std::string>& values) {
   return fmt::format(" {} {}", name, shell_word(fmt::format("{}", fmt::join(values, ","))));
 }
 
+/// An argument that is a path, also one that begins as options do.
+std::string path_word(const std::string& path) {
+  return shell_word((path.starts_with('-') ? "./" : "") + path);
+}
+
 /// --plugin for those that have a name.
 std::string plugin_names(const std::vector<std::string>& methods) {
   std::vector<std::string> names;
@@ -40,7 +45,7 @@ std::string reproduction(const std::string& path, const std::map<std::string, Ex
   for (const auto& [method, expected] : expect) {
     if (is_failure(expected.outcome)) methods.push_back(method);
   }
-  return fmt::format("{} query {}{}{}", shell_word(program_name()), shell_word(path),
+  return fmt::format("{} query {}{}{}", shell_word(program_name()), path_word(path),
                      plugin_names(methods), option("--methods", methods));
 }
 
@@ -49,7 +54,7 @@ std::string replay_command(const std::string& folder, std::vector<std::string> m
   std::erase_if(methods, [](const std::string& method) {
     return !names_plugin(method) || !spec_behind(method).empty();
   });
-  return fmt::format("{} replay {}{}{}", shell_word(program_name()), shell_word(folder), names,
+  return fmt::format("{} replay {}{}{}", shell_word(program_name()), path_word(folder), names,
                      option("--allow-plugins", methods));
 }
 

@@ -8,7 +8,8 @@
 //   CCDFUZZ_PLUGIN(Mine)
 //
 // A Refusal that an answer throws says that it does not take the query. Anything else that an
-// answer or a constructor throws becomes an error with the exception's text.
+// answer throws becomes an error with the exception's text. A constructor or describe() that throws
+// refuses the options, and its text is not shown.
 #pragma once
 
 #include <algorithm>
