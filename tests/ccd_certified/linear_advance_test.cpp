@@ -130,7 +130,8 @@ std::vector<Uv<double>> grid_of(const Shape& shape) {
 }
 
 // Both orders of the patches: a point has no edge, whichever patch it is. Half of all edges and
-// faces have two control points in one place.
+// faces have two control points in one place. A quarter of faces have corners that are on a line,
+// but for rounding.
 TEST(LinearAdvance, FindsParametersOfNearestPoints) {
   constexpr Shape kPoint = Shape::point(), kEdge = Shape::curve(1), kFace = Shape::triangle(1);
   Draw random{Random::keyed({14})};
@@ -153,6 +154,8 @@ TEST(LinearAdvance, FindsParametersOfNearestPoints) {
         Points<double>& points = query.patches[s].positions;
         const size_t n = points.size(), at = static_cast<size_t>(i / 4) % n;
         if ((i >> s) % 2 == 1) points[at] = points[(at + 1) % n];
+        if (n > 2 && i % 4 == 0)
+          points[2] = points[0] + full_double(random) * (points[1] - points[0]);
       }
       const auto distance = [&](const Uv<double>& a, const Uv<double>& b) {
         return (evaluate(query.patches[0], a, 0.0) - evaluate(query.patches[1], b, 0.0)).norm();

@@ -1,6 +1,7 @@
 #include "ccd/certified/linear_advance.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "ccd/certified/linear_differences.hpp"
 #include "ccd/certified/projection.hpp"
@@ -47,26 +48,35 @@ std::array<double, 2> nearest_of_edges(const Axis& d, const Axis& e, const Axis&
   return {x, y};
 }
 
-/// Weights of b and c in the point of the triangle a, b, c nearest to the origin.
+/// Weights of b and c in the point of the triangle a, b, c nearest to the origin: on an edge or
+/// inside. The nearer one counts, as rounding may say inside where the corners are on a line.
 std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& c) {
   const Axis ab = minus(b, a), ac = minus(c, a);
   const double b1 = -dot_of(ab, a), c1 = -dot_of(ac, a);
-  if (b1 <= 0 && c1 <= 0) return {0, 0};
   const double b2 = -dot_of(ab, b), c2 = -dot_of(ac, b);
-  if (b2 >= 0 && c2 <= b2) return {1, 0};
-  const double of_c = b1 * c2 - b2 * c1;
-  if (of_c <= 0 && b1 > 0 && b2 < 0) return {b1 / (b1 - b2), 0};
   const double b3 = -dot_of(ab, c), c3 = -dot_of(ac, c);
-  if (c3 >= 0 && b3 <= c3) return {0, 1};
-  const double of_b = b3 * c1 - b1 * c3;
-  if (of_b <= 0 && c1 > 0 && c3 < 0) return {0, c1 / (c1 - c3)};
-  const double of_a = b2 * c3 - b3 * c2;
-  if (of_a <= 0 && c2 - b2 >= 0 && b3 - c3 >= 0) {
-    const double sum = (c2 - b2) + (b3 - c3), share = sum > 0 ? (c2 - b2) / sum : 0;
-    return {1 - share, share};
-  }
+  std::array<double, 2> nearest{};
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](double of_b, double of_c) {
+    const Axis p = plus(a, plus(scaled(ab, of_b), scaled(ac, of_c)));
+    if (const double squared = dot_of(p, p); squared < least) {
+      least = squared;
+      nearest = {of_b, of_c};
+    }
+  };
+  // From what an edge's direction has towards the origin at its ends.
+  const auto share = [](double from, double to) {
+    if (from <= 0) return 0.0;
+    return to < 0 ? from / (from - to) : 1.0;
+  };
+  consider(share(b1, b2), 0);
+  consider(0, share(c1, c3));
+  const double of_bc = share(c2 - b2, c3 - b3);
+  consider(1 - of_bc, of_bc);
+  const double of_a = b2 * c3 - b3 * c2, of_b = b3 * c1 - b1 * c3, of_c = b1 * c2 - b2 * c1;
   const double sum = (of_a + of_b) + of_c;
-  return sum > 0 ? std::array{of_b / sum, of_c / sum} : std::array{0.0, 0.0};
+  if (of_a > 0 && of_b > 0 && of_c > 0) consider(of_b / sum, of_c / sum);
+  return nearest;
 }
 
 /// The parameters of a face's point with these weights of control points 1 and 2, (0, 1) and (1,
