@@ -43,7 +43,7 @@ void give_ends_or_weights(MovingPatch<double>& patch) {
   }
   if (*rc::gen::arbitrary<bool>()) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.weights.push_back(std::ldexp(std::abs(any_double(0)) + 1, *rc::gen::inRange(-20, 21)));
+      patch.weights.push_back(std::ldexp(std::abs(any_double(0)) + 1, *rc::gen::inRange(-30, 30)));
     }
   }
 }

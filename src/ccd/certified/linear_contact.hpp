@@ -33,7 +33,7 @@ struct LinearContact {
 /// Where a patch has ends, its positions times t_max and its ends times t_max count in place of
 /// velocities times t_max. They are less than 2^253 times it.
 /// Law L8: a proven contact is at toi or later, and by toi + 2^-level·t_max, but for the rounding
-/// of toi. That is less than 2^-48 of toi and a subnormal number; level ≤ 50.
+/// of toi. That is less than 2^-48·toi + 2^-1073; level ≤ 50.
 /// Requires finite numbers, t_max ≥ 0 and is_linear_pair.
 LinearContact first_linear_contact(const Query& query, int level);
 

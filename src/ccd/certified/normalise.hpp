@@ -14,7 +14,8 @@ inline constexpr double kLeastAbsolute = 0x1p-1000;
 
 /// A query brought to magnitude 1 by steps whose rounding is known. No finite input then
 /// overflows later, and what underflows is below `absolute`. The error bound scales with the scene,
-/// not with its distance from the origin. Laws C and L9 rest on the inequalities here.
+/// not with its distance from the origin. Nor does it with a common velocity, unless one patch
+/// alone has ends. Laws C and L9 rest on the inequalities here.
 ///
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component

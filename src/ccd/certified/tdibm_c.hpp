@@ -29,8 +29,8 @@ namespace ccdfuzz {
 ///   refused    the query is not valid, or an option is out of range (is_taken). Any bits may be
 ///              passed, NaN and infinity too.
 /// How early toi can be: no time after the begin of that window is certified clear for the pair. So
-/// toi is early by at most 2^-20·t_max and the time in which the pair's hulls, of diameter
-/// O(precision), approach each other.
+/// toi is early by at most 2^-20·t_max and the time in which the pair's hulls approach each other.
+/// They are O(precision + E) apart then, E the error bound of Law C.
 /// With the precision 1 such a pair is of halves, as no axis is put to whole patches.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. So no cell of a hit is known to be outside, but uv may be.
