@@ -23,6 +23,7 @@ case \$* in
     cp "\$3/a" "\$2"
     ;;
   *)
+    echo '#5 INITED cov: 2 corp: 1'
     echo '#7 NEW cov: 3 corp: 2'
     echo 'stat::number_of_executed_units: 7'
     if [ -e '$work/runs-long' ]; then exec sleep 600; fi
@@ -129,6 +130,7 @@ fuzz 1 --seconds 30 query
 printf '#!/bin/sh\n' >"$work/bin/cmake"
 printf '#!/bin/sh\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
 fuzz 0 --seconds 30 query
+says 'query mutated nothing: its seeds took all of the time'
 ran_with 'triage build/fuzz-todo/query --remove --known corpus -o finds --seconds 30'
 # Each is put to triage once, and once more if it is found again; so is what another run left.
 fuzz 0 query
