@@ -69,16 +69,26 @@ TEST(Memory, PeakStaysWithinTheBudgetAndLittleIsKept) {
   EXPECT_LE(next.kept + large.kept, static_cast<long>(kKeptBytes));
 }
 
-TEST(Pops, AreFewAtASeparationThoughTheWindowGoesOnAfterTheContact) {
-  const auto method = *make_method("tdibm-c");
+/// Regular contacts of two faces of the shape, at a separation.
+void expect_few_pops_apart(const char* method_name, const Shape& shape) {
+  const auto method = *make_method(method_name);
   GeneratorOptions options;
   options.family = Family::kSeparated;
-  options.shapes = {Shape::tensor(2, 2), Shape::tensor(2, 2)};
+  options.shapes = {shape, shape};
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case apart = generate(options, i).value;
     const Answer answer = method->answer(apart.query, {.max_pops = 2000});
     EXPECT_EQ(answer.verdict, Verdict::kHit) << i << " of " << to_text(apart.query);
   }
+}
+
+TEST(Pops, AreFewAtASeparationThoughTheWindowGoesOnAfterTheContact) {
+  expect_few_pops_apart("tdibm-c", Shape::tensor(2, 2));
+  expect_few_pops_apart("tdibm-rational", Shape::tensor(1, 1));
+}
+
+TEST(Pops, AreFewAtASeparationWhereAnAreaComesNearAtOneTime) {
+  expect_few_pops_apart("tdibm-rational", Shape::triangle(1));
 }
 
 struct Numbered {

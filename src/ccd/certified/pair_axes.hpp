@@ -28,15 +28,51 @@ struct CornerFrame {
   Axis middle{};
 
   CornerFrame() = default;
+  /// The frame of control points: point_at(i) is point i, in Shape's order.
+  template <class PointAt>
+  CornerFrame(const Shape& shape, const PointAt& point_at);
   /// The frame of a cell at time t.
   CornerFrame(const CellTree& tree, CellTree::Node node, double t);
   /// The frame of a net, so far from the first to the second time of its snapshot.
   CornerFrame(const Shape& shape, const Snapshot& snapshot, double way);
-
- private:
-  template <class PointAt>
-  void build(const Shape& shape, const PointAt& point_at);
 };
+
+template <class PointAt>
+CornerFrame::CornerFrame(const Shape& shape, const PointAt& point_at) {
+  const Axis origin = point_at(0);
+  switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
+    case ShapeKind::kPoint:
+      middle = origin;
+      return;
+    case ShapeKind::kCurve: {
+      const Axis end = point_at(shape.n);
+      edges[0] = minus(end, origin);
+      edge_count = 1;
+      for (int k = 0; k < 3; ++k) middle[k] = 0.5 * (origin[k] + end[k]);
+      return;
+    }
+    case ShapeKind::kTriangle: {
+      const Axis u = point_at(shape.index(shape.n, 0)), v = point_at(shape.index(0, shape.n));
+      edges = {minus(u, origin), minus(v, origin), minus(v, u)};
+      edge_count = 3;
+      for (int k = 0; k < 3; ++k) middle[k] = (origin[k] + u[k] + v[k]) / 3;
+      break;
+    }
+    case ShapeKind::kTensor: {
+      const Axis u = point_at(shape.index(shape.n, 0)), v = point_at(shape.index(0, shape.m));
+      const Axis uv = point_at(shape.index(shape.n, shape.m));
+      edges[0] = plus(minus(u, origin), minus(uv, v));
+      edges[1] = plus(minus(v, origin), minus(uv, u));
+      edge_count = 2;
+      for (int k = 0; k < 3; ++k) middle[k] = 0.25 * ((origin[k] + u[k]) + (v[k] + uv[k]));
+      break;
+    }
+  }
+  normal = cross(edges[0], edges[1]);
+  has_normal = true;
+}
 
 /// Candidate separating axes of two flat shapes, in batches. For two triangles they are the
 /// complete set: both normals, every cross product of edges, every in-plane edge normal. For tensor
@@ -49,6 +85,10 @@ class CandidateAxes {
   /// small beside it, the offset of their middles is nearly the direction between nearest points.
   CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first = {});
 
+  /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals, a first one. All else is
+  /// fewer.
+  static constexpr int kMost = 18;
+
   /// Batch i from 0 on; nothing after the last.
   const AxisBatch* batch(int i) {
     if (i > 0 && !complete_) add_rest();
@@ -56,10 +96,6 @@ class CandidateAxes {
   }
 
  private:
-  /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals, a first one. All else is
-  /// fewer.
-  static constexpr int kMost = 18;
-
   void add(const Axis& l) {
     for (int k = 0; k < 3; ++k) batches_[count_ / kLanes].axes[k][count_ % kLanes] = l[k];
     ++count_;

@@ -24,12 +24,16 @@ struct IntegerAxis {
   friend bool operator==(const IntegerAxis&, const IntegerAxis&) = default;
 };
 
+/// Bits of an axis at most. No fewer than kGridBits: then what its rounding takes from a start is
+/// about a step of the grid, whatever the depth.
+inline constexpr int kMostAxisBits = 30;
+
 /// Bits of an axis for cells of a given depth. A cell of width 2^-d is about 2^-2d thick, so an
 /// axis that is off by 2^-d blurs it by its own thickness. Flat patches are thinner, and need the
 /// rest.
 constexpr int axis_bits(int depth) {
-  constexpr int kSpare = 16, kMost = 30;
-  return std::min(depth + kSpare, kMost);
+  constexpr int kSpare = 16;
+  return std::min(depth + kSpare, kMostAxisBits);
 }
 
 /// The integer vector with a largest component of magnitude 2^bits that is nearest in direction to

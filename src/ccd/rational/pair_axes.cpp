@@ -27,15 +27,21 @@ Vec3<double> across(const Vec3<double>& v) {
   return y <= z ? Vec3<double>(0, 1, 0) : Vec3<double>(0, 0, 1);
 }
 
+/// Control point i at t.
+certified::Axis point_at(const CellPoints& points, double t, int i) {
+  certified::Axis p;
+  for (int k = 0; k < 3; ++k) p[k] = points.position(k)[i] + t * points.velocity(k)[i];
+  return p;
+}
+
+certified::CornerFrame corner_frame(const Shape& shape, const CellPoints& points, double t) {
+  return {shape, [&](int i) { return point_at(points, t, i); }};
+}
+
 /// Two directions that the cell spans at t; zero where it spans fewer.
 std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points, double t) {
-  const auto at = [&](int i) {
-    Vec3<double> p;
-    for (int k = 0; k < 3; ++k) p[k] = points.position(k)[i] + t * points.velocity(k)[i];
-    return p;
-  };
   const auto between = [&](int i, int j) {
-    const Vec3<double> p = at(i), q = at(j);
+    const certified::Axis p = point_at(points, t, i), q = point_at(points, t, j);
     return normalised({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
   };
   switch (shape.kind) {
@@ -64,21 +70,24 @@ BoxDirections box_directions(const Shape& shape, const CellPoints& points, doubl
   return {u, normal, normalised(cross(u, normal))};
 }
 
-Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t) {
-  const auto middle = [t](const CellPoints& points) {
-    Vec3<double> sum(0, 0, 0);
-    for (int i = 0; i < points.count; ++i) {
-      for (int k = 0; k < 3; ++k) sum[k] += points.position(k)[i] + t * points.velocity(k)[i];
-    }
-    return Vec3<double>(sum / points.count);
-  };
-  return normalised(middle(a) - middle(b));
-}
-
 Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r) {
   constexpr std::array<size_t, 3> kOrder = {1, 0, 2};
   if (r < 6) return (r % 2 == 0 ? a : b)[kOrder[static_cast<size_t>(r / 2)]];
   return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);
+}
+
+AxesApart::AxesApart(const std::array<Shape, 2>& shapes, const CellPoints& a, const CellPoints& b,
+                     double t)
+    : time_(t),
+      a_(corner_frame(shapes[0], a, t)),
+      b_(corner_frame(shapes[1], b, t)),
+      axes_(a_, b_, certified::minus(a_.middle, b_.middle)) {}
+
+Vec3<double> AxesApart::operator[](int r) {
+  const certified::AxisBatch* batch = axes_.batch(r / certified::kLanes);
+  if (batch == nullptr) return {0, 0, 0};
+  const certified::Axis l = certified::axis_of(*batch, r % certified::kLanes);
+  return {l[0], l[1], l[2]};
 }
 
 }  // namespace ccdfuzz::exact_ccd

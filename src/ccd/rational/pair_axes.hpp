@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bezier/shape.hpp"
+#include "ccd/certified/pair_axes.hpp"
 #include "ccd/rational/axis.hpp"
 #include "ccd/rational/cell_points.hpp"
 
@@ -16,12 +17,28 @@ BoxDirections box_directions(const Shape& shape, const CellPoints& points, doubl
 
 inline constexpr int kPairAxes = 15;
 
-/// From the middle of one cell to that of the other, at t. Cells that are small beside a separation
-/// have no better one.
-Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t);
-
 /// Candidate axis r of a pair of frames, 0 ≤ r < kPairAxes. The order is that in which they are
 /// worth testing: both normals, the other box axes, the nine products of the two boxes' axes.
 Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r);
+
+/// Candidate axes of two cells at one time where contact is a distance (DERIVATION.md, 3): those of
+/// tdibm-c, the offset of the middles first.
+class AxesApart {
+ public:
+  static constexpr int kCount = certified::CandidateAxes::kMost;
+
+  AxesApart(const std::array<Shape, 2>& shapes, const CellPoints& a, const CellPoints& b, double t);
+  AxesApart(const AxesApart&) = delete;
+  AxesApart& operator=(const AxesApart&) = delete;
+
+  double time() const { return time_; }
+  /// Axis r, 0 ≤ r < kCount; zero from the last of these cells on.
+  Vec3<double> operator[](int r);
+
+ private:
+  double time_;
+  certified::CornerFrame a_, b_;
+  certified::CandidateAxes axes_;  ///< of a_ and b_
+};
 
 }  // namespace ccdfuzz::exact_ccd

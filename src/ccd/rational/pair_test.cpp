@@ -4,13 +4,13 @@ namespace ccdfuzz::exact_ccd {
 
 void PairTest::begin(const Query& query) {
   gap_.begin(query);
-  axes_ = query.separation > 0 ? kPairAxes + 1 : kPairAxes;
+  is_apart_ = query.separation > 0;
   shapes_ = {query.patches[0].shape, query.patches[1].shape};
 }
 
 void PairTest::prepare(int side, std::span<const Cell> parts) {
   gap_.prepare(side, parts);
-  axis_bits_ = axis_bits(parts[0].depth);
+  axis_bits_ = is_apart_ ? kMostAxisBits : axis_bits(parts[0].depth);
   for (auto& frame : frames_[static_cast<size_t>(side)]) frame.reset();
 }
 
@@ -19,6 +19,15 @@ const BoxDirections& PairTest::frame(int side, int part, double t) {
   std::optional<BoxDirections>& frame = frames_[s][static_cast<size_t>(part)];
   if (!frame) frame = box_directions(shapes_[s], gap_.points(side, part), t);
   return *frame;
+}
+
+Vec3<double> PairTest::candidate(int part_a, int part_b, int r, double start) {
+  if (!is_apart_) return pair_axis(frame(0, part_a, start), frame(1, part_b, start), r);
+  // Every round begins where the last has moved the start.
+  if (!apart_ || (r == 0 && apart_->time() != start)) {
+    apart_.emplace(shapes_, gap_.points(0, part_a), gap_.points(1, part_b), start);
+  }
+  return (*apart_)[r];
 }
 
 void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
@@ -40,20 +49,18 @@ void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& di
 std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window,
                                      ExclusionObserver* observer) {
   ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
-  const BoxDirections& a = frame(0, part_a, w.lo);
-  const BoxDirections& b = frame(1, part_b, w.lo);
   gap_.select(part_a, part_b);
+  apart_.reset();
+  const int axes = is_apart_ ? AxesApart::kCount : kPairAxes;
   // Cycle through the axes until all in a row leave the window unchanged: an axis may separate at
   // an end that another has uncovered. The bound on the rounds only saves time: a longer window is
   // safe.
   constexpr int kMaxRounds = 4;
   int unchanged = 0;
-  for (int n = 0; n < kMaxRounds * axes_ && unchanged < axes_; ++n) {
+  for (int n = 0; n < kMaxRounds * axes && unchanged < axes; ++n) {
     ++unchanged;
-    const int r = n % axes_;
-    const Vec3<double> direction =
-        r < kPairAxes ? pair_axis(a, b, r)
-                      : offset_axis(gap_.points(0, part_a), gap_.points(1, part_b), w.lo);
+    const int r = n % axes;
+    const Vec3<double> direction = candidate(part_a, part_b, r, w.lo);
     const std::optional<IntegerAxis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);

@@ -25,6 +25,8 @@ class PairTest {
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:
+  /// Axis r of two parts, of a window that begins at `start` now.
+  Vec3<double> candidate(int part_a, int part_b, int r, double start);
   const BoxDirections& frame(int side, int part, double t);
   /// What cut_window did to a window with the axis that the gap is projected on.
   void tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
@@ -34,8 +36,10 @@ class PairTest {
   std::array<Shape, 2> shapes_;
   /// Frames of the prepared parts at the start of the first window tested.
   std::array<std::array<std::optional<BoxDirections>, 4>, 2> frames_;
+  /// Axes of the pair at hand, if the query has a separation.
+  std::optional<AxesApart> apart_;
+  bool is_apart_ = false;
   int axis_bits_ = 0;
-  int axes_ = kPairAxes;
 };
 
 }  // namespace ccdfuzz::exact_ccd
