@@ -7,8 +7,10 @@
 #include <random>
 
 #include "bezier/orientation.hpp"
+#include "certify/oracle/build_tree.hpp"
 #include "files/case_json.hpp"
 #include "generators/generate.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -135,6 +137,27 @@ TEST(Oracle, SaysTheSameAgain) {
     const Decision first = decide(query), second = decide(query);
     EXPECT_EQ(first.truth, second.truth) << to_json({query, {}, {}, {}});
     EXPECT_EQ(first.tree, second.tree) << to_json({query, {}, {}, {}});
+  }
+}
+
+TEST(BuildMissTree, ProvesByOneAxisThatFlatFacesJustMiss) {
+  RandomQueries random(1);
+  const auto vector = [&] {
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    return Vec3<double>(x, y, random.between(-1, 1));
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Vec3<double> zero(0, 0, 0), u = vector(), v = vector();
+    Query query;
+    query.patches.fill({Shape::triangle(1), {zero, v, u}, {zero, zero, zero}});
+    query.t_max = 1;
+    query.separation = 0x1p-10;
+    // An axis whose largest component is 2^30 is off by half at most in the others. Along edges,
+    // whose components are at most 2, that is 2, which 2^30 times the distance makes up for.
+    for (Vec3<double>& p : query.patches[1].positions) {
+      p += cross(u, v).normalized() * (query.separation + 0x1p-29);
+    }
+    EXPECT_TRUE(build_miss_tree(query, 1, 1)) << i;
   }
 }
 
