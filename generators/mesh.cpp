@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/nearest_float.hpp"
 #include "case/mesh.hpp"
@@ -55,10 +56,12 @@ class MeshMaker {
   double height(const Vec3<double>& p) const { return up_.dot(p); }
   const Vec3<double>& at(int i) const { return mesh_.positions[static_cast<size_t>(i)]; }
 
+  static Vec3<double> rounded(const Vec3<double>& p) {
+    return {nearest_float(p[0]), nearest_float(p[1]), nearest_float(p[2])};
+  }
+
   int added(const Vec3<double>& p) const {
-    Vec3<double> rounded;
-    for (int k = 0; k < 3; ++k) rounded[k] = nearest_float(p[k]);
-    mesh_.positions.push_back(rounded);
+    mesh_.positions.push_back(rounded(p));
     mesh_.shape = Shape::hull(static_cast<int>(mesh_.positions.size()));
     return mesh_.shape.n - 1;
   }
@@ -67,13 +70,16 @@ class MeshMaker {
     return (b - a).cross(Vec3<double>(c - a)).norm() > unit_ * unit_ * 0x1p-20;
   }
 
-  /// Anywhere, and mostly behind the contact plane.
+  /// Anywhere, and mostly behind the contact plane. Steps are no shorter than that from one float
+  /// of this size to the next, as they would lead nowhere.
   Vec3<double> anywhere_from(const Vec3<double>& from) const {
+    const auto most = static_cast<float>(from.cwiseAbs().maxCoeff());
+    const double unit = std::max(unit_, static_cast<double>(most - std::nextafter(most, 0.0F)));
     Vec3<double> step;
-    for (int k = 0; k < 3; ++k) step[k] = static_cast<double>(draw_.integer(-8, 8)) * unit_;
+    for (int k = 0; k < 3; ++k) step[k] = static_cast<double>(draw_.integer(-8, 8)) * unit;
     const bool is_in_front = height(from + step) > top_;
-    return is_in_front && draw_.below(8) > 0 ? Vec3<double>(from - step)
-                                             : Vec3<double>(from + step);
+    return rounded(is_in_front && draw_.below(8) > 0 ? Vec3<double>(from - step)
+                                                     : Vec3<double>(from + step));
   }
 
   /// A point that makes a triangle with an edge: one that there is, or one that `draw_new` draws.
@@ -96,7 +102,9 @@ class MeshMaker {
   void add_touched() const {
     std::vector<int> top;
     for (size_t i = 0; i < mesh_.positions.size(); ++i) {
-      if (height(mesh_.positions[i]) == top_) top.push_back(static_cast<int>(i));
+      const bool is_new =
+          std::ranges::none_of(top, [&](int j) { return at(j) == mesh_.positions[i]; });
+      if (is_new && height(mesh_.positions[i]) == top_) top.push_back(static_cast<int>(i));
     }
     if (top.size() >= 3) {
       faces().push_back({top[0], top[1], top[2]});
@@ -123,12 +131,15 @@ class MeshMaker {
     const Face face = faces()[draw_.below(faces().size())];
     const size_t k = draw_.below(3);
     const int a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+    if (at(a) == at(b)) return;  // rounding took the edge's length
     const Vec3<double> opposite = at(a) + at(b) - at(c);
     const Vec3<double> far =
         at(c) + std::ldexp(1.0, static_cast<int>(draw_.integer(1, 6))) * (at(b) - at(a));
     const std::uint64_t way = draw_.below(4);
+    bool is_tried = false;  // where rounding takes its area, another is drawn
     const int third = third_corner(b, a, [&] {
-      return way == 0 ? opposite : way == 1 ? far : anywhere_from(at(a));
+      const bool is_again = std::exchange(is_tried, true);
+      return is_again || way > 1 ? anywhere_from(at(a)) : rounded(way == 0 ? opposite : far);
     });
     faces().push_back({b, a, third});
   }
@@ -137,6 +148,7 @@ class MeshMaker {
     const Face base = faces()[0];
     const int a = base[0], b = base[1], c = base[2];
     const Vec3<double> normal = (at(b) - at(a)).cross(Vec3<double>(at(c) - at(a)));
+    if (!(normal.norm() > 0)) return;
     const int apex = added(
         draw_.until([&] { return anywhere_from(at(a)); },
                     [&](const Vec3<double>& p) { return std::abs(normal.dot(p - at(a))) > 0; }));

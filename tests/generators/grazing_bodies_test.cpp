@@ -4,6 +4,7 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {
@@ -44,6 +45,21 @@ TEST(GrazingBodies, HaveNoFrontInThePlaneOfTheirMotion) {
 
 TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {
   made(Family::kMeshGrazing, ContactClass::kFF, 53, false, 3);
+}
+
+// Number 693 is 2^-17 large and 9 from the origin.
+TEST(Meshes, AreMadeWhereTheirStepsAreShorterThanThoseBetweenFloats) {
+  GeneratorOptions options;
+  constexpr std::array kKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
+  constexpr std::array kFamilies = {Family::kMesh, Family::kMeshOneSided};
+  for (std::uint64_t i = 600; i < 700; ++i) {
+    Draw draw = Draw::mostly_small(Random::keyed({20261128, i}));
+    options.kind = draw.pick(kKinds);
+    options.contact = draw.pick(kContactClasses);
+    options.family = kFamilies[draw.below(2)];
+    const Case value = generate(options, draw).value;
+    EXPECT_TRUE(check_case(value)) << i;
+  }
 }
 
 TEST(BodiesInAPlane, LieAndMoveInItAndSpinAboutItsNormal) {
