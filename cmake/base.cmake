@@ -69,14 +69,13 @@ function(ccdfuzz_room name)
 endfunction()
 file(WRITE ${PROJECT_BINARY_DIR}/rooms.txt "")
 
-# ccdfuzz_library(NAME [QUICK | COLD] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
+# ccdfuzz_library(NAME [QUICK] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
 # of the design are also the links of the build. QUICK: to compile, no fuzz target runs it, and it
 # instantiates nothing of the methods' templates (the linker takes an inline function from whoever came
 # first, and that is who stands above).
-# COLD: what takes its time is in the libraries below it; optimising it would take long and make nothing
-# quicker. APART: it needs a package that users may lack, and is installed as a component of its own.
+# APART: it needs a package that users may lack, and is installed as a component of its own.
 function(ccdfuzz_library name)
-  cmake_parse_arguments(ARG "QUICK;COLD;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})
   ccdfuzz_room(${name} LINES ${ARG_LINES} DEPENDS ${ARG_DEPENDS})
   if(ARG_SOURCES)
     add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
@@ -86,11 +85,9 @@ function(ccdfuzz_library name)
       target_compile_options(ccdfuzz_${name} PRIVATE ${ccdfuzz_quick_to_compile})
     else()
       target_compile_options(ccdfuzz_${name} PRIVATE ${ccdfuzz_guidance})
-      if(ARG_COLD)
-        target_compile_options(ccdfuzz_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-      endif()
     endif()
-    # (Compilers take them at any level of optimisation but none, and with the same instruments.)
+    # (Compilers take them with the same instruments, clang at any level of optimisation but none. GCC
+    # compiles at that which they were read at, so all rooms that share them have one.)
     if(name STREQUAL "numeric")
       target_precompile_headers(ccdfuzz_numeric PRIVATE ${ccdfuzz_read_once})
     elseif(NOT ARG_QUICK AND NOT name MATCHES "^(base|io)$")  # (these have no Eigen)
