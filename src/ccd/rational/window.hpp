@@ -26,7 +26,8 @@ enum class Cut : std::uint8_t {
 /// Law R2: kAll iff the gap is < 0 at both ends, hence between them (the gap is convex).
 /// Law R3: an end moves from lo to t only if gap(lo) < 0 and gap(t) ≤ 0, hence gap < 0 on [lo, t);
 /// likewise from the right.
-/// The new end is the root of the gap rounded outward to the grid, or a little further out.
+/// The new end is the root of the gap rounded outward to the grid, or a little further out. Where
+/// doubles hardly tell the gap from 0, an end may stay.
 Cut cut_window(Gap& gap, ScaledWindow& window);
 
 }  // namespace ccdfuzz::exact_ccd
