@@ -31,7 +31,7 @@ class MeshMaker {
       size = std::max(size, (p - mesh_.positions[0]).cwiseAbs().maxCoeff());
     }
     constexpr int kSteps = 8;
-    unit_ = std::ldexp(1.0, std::ilogb(size)) / kSteps;
+    unit_ = size > 0 ? std::ldexp(1.0, std::ilogb(size)) / kSteps : 1;
   }
 
   /// How many of the faces are in the contact. Those behind a contact that grazes are one.
@@ -70,8 +70,8 @@ class MeshMaker {
     return (b - a).cross(Vec3<double>(c - a)).norm() > unit_ * unit_ * 0x1p-20;
   }
 
-  /// Anywhere, and mostly behind the contact plane. Steps are no shorter than that from one float
-  /// of this size to the next, as they would lead nowhere.
+  /// Anywhere, and mostly behind the contact plane. Steps are no shorter than that to the next
+  /// float towards 0: hardly any of shorter ones leads to another float.
   Vec3<double> anywhere_from(const Vec3<double>& from) const {
     const auto most = static_cast<float>(from.cwiseAbs().maxCoeff());
     const double unit = std::max(unit_, static_cast<double>(most - std::nextafter(most, 0.0F)));
@@ -102,9 +102,7 @@ class MeshMaker {
   void add_touched() const {
     std::vector<int> top;
     for (size_t i = 0; i < mesh_.positions.size(); ++i) {
-      const bool is_new =
-          std::ranges::none_of(top, [&](int j) { return at(j) == mesh_.positions[i]; });
-      if (is_new && height(mesh_.positions[i]) == top_) top.push_back(static_cast<int>(i));
+      if (height(mesh_.positions[i]) == top_) top.push_back(static_cast<int>(i));
     }
     if (top.size() >= 3) {
       faces().push_back({top[0], top[1], top[2]});
@@ -148,7 +146,6 @@ class MeshMaker {
     const Face base = faces()[0];
     const int a = base[0], b = base[1], c = base[2];
     const Vec3<double> normal = (at(b) - at(a)).cross(Vec3<double>(at(c) - at(a)));
-    if (!(normal.norm() > 0)) return;
     const int apex = added(
         draw_.until([&] { return anywhere_from(at(a)); },
                     [&](const Vec3<double>& p) { return std::abs(normal.dot(p - at(a))) > 0; }));

@@ -8,8 +8,8 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Whether no product of a method leaves the range of doubles. The released program's axes are
-/// products of up to six lengths, and Steps II and III multiply two heights: fourteen lengths.
+/// Whether the largest products of a method are doubles. The released program's axes are products
+/// of up to six lengths, and Steps II and III multiply two heights: fourteen lengths.
 bool keeps_products(const Query& query) {
   const double size = largest_coordinate(query);
   return 0x1p-64 < size && size < 0x1p64;

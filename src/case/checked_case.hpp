@@ -19,7 +19,7 @@ class CheckedCase {
   const std::optional<Witness>& witness() const { return value_.truth.witness; }
   /// True iff a checked certificate proves that nothing touches in [0, t_max].
   bool is_clear() const;
-  /// The same of the half-open [0, t_max).
+  /// True iff it proves that for the half-open [0, t_max).
   bool is_clear_before_t_max() const;
   /// The checked certificate of absence; null if there is none.
   const Clearance* clearance() const;

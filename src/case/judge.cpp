@@ -42,8 +42,8 @@ std::optional<Rational> within(std::optional<Rational> by, double t_max) {
   return by;
 }
 
-/// The contact by which a hit, or a miss, with these terms is judged. Who leaves t_max out may
-/// still hit there.
+/// The contact by which a hit, or a miss, with these terms is judged. A method that leaves t_max
+/// out may still hit there.
 std::optional<Rational> binding_contact(const CheckedCase& known, bool hit,
                                         const AnswerTerms& terms) {
   const double t_max = known.query().t_max;

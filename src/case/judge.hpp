@@ -41,8 +41,8 @@ struct AnswerTerms {
 ///                   are: its direction, or the gap of its plane at toi. And no contact is known to
 ///                   come within the early tolerance
 ///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
-///                   them, nor for a miss that leaves t_max out absence before it; or the answer
-///                   has a space tolerance and does not say where
+///                   them; or the answer has a space tolerance and does not say where. Where the
+///                   terms leave t_max out, absence on [0, t_max) is enough for a miss
 ///   correct         anything else
 /// The contact counts first.
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms = {});

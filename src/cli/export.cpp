@@ -148,7 +148,8 @@ int run_export(const ExportOptions& options, Session&) {
   for (const char* ending : {".json", ".jsonl", ".jsonl.zst"}) {
     if (!options.output.ends_with(ending)) continue;
     throw BadInput{
-        {"--output", options.output + ": is a file of cases by its name, and none is written"}};
+        {"--output",
+         options.output + ": is a file of cases by its name; tests go to a .cpp, for example"}};
   }
   if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
     return export_engine_tests(options, *engine);

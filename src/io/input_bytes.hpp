@@ -23,8 +23,8 @@ Result<CaseFileKind> case_file_kind(const std::string& path);
 Result<void> refuse_irregular(const std::string& path);
 
 /// Sorted paths of what is in a folder and in the folders in it. Links to folders are not followed.
-/// is_left_out: of a name, whether nothing is to be seen of it, or of what is in it. Errors: a
-/// folder that cannot be read, naming that one.
+/// is_left_out(name): true to skip that file or folder. Errors: a folder that cannot be read,
+/// naming that one.
 Result<std::vector<std::string>> files_under(
     const std::string& folder, const std::function<bool(const std::string& name)>& is_left_out);
 

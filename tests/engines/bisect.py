@@ -59,9 +59,11 @@ def main():
     found = "last good version: rapier {}\nfirst bad version: rapier {}\n".format
     for versions, good, bad, code, wanted in [
             ("1.0=good 2.0=good 3.0=good 4.0=bad 5.0=bad", "1.0", "5.0", 0, found("3.0", "4.0")),
-            ("1.0=bad 2.0=bad 3.0=good 4.0=good 5.0=good", "5.0", "1.0", 0, found("3.0", "2.0")),
+            ("1.0=bad 2.0=bad 3.0=good 4.0=good 5.0=good", "5.0", "1.0", 0, 
+             "last bad version: rapier 2.0\nfirst good version: rapier 3.0\n"),
             ("1.0=good 2.0=good 3.0=other 4.0=bad 5.0=bad", "1.0", "5.0", 2,
-             "rapier 3.0 answers neither as 1.0 nor as 5.0: error\n"),
+             "rapier 3.0 answers neither right nor wrong: error\n"),
+            ("1.0=good 2.0=good 3.0=other 4.0=other", "1.0", "4.0", 2, "do not tell rapier 1.0 from 4.0\n"),
             ("1.0=good 2.0=good", "1.0", "2.0", 2, "do not tell rapier 1.0 from 2.0\n"),
             ("1.0=good 2.0=good", "1.0", "7.0", 2, "7.0 is no version of")]:
         got, text = bisect(versions, good, bad)

@@ -23,7 +23,7 @@ const BoxDirections& PairTest::frame(int side, int part, double t) {
 
 Vec3<double> PairTest::candidate(int part_a, int part_b, int r, double start) {
   if (!is_apart_) return pair_axis(frame(0, part_a, start), frame(1, part_b, start), r);
-  // Every round begins where the last has moved the start.
+  // A round begins where those before it have moved the start.
   if (!apart_ || (r == 0 && apart_->time() != start)) {
     apart_.emplace(shapes_, gap_.points(0, part_a), gap_.points(1, part_b), start);
   }

@@ -99,9 +99,9 @@ class Builder {
     std::uint64_t length = 0;
   };
 
-  /// Axes are tried with few bits first: most leaves need no more. The last is what the format has
-  /// room for. A flat pair that misses by m is split until its size is below m·2^bits, so each bit
-  /// less is four times as many leaves.
+  /// Axes are tried with few bits first: most leaves need no more. The last is the last power of
+  /// two that the format has room for. A flat pair that misses by m is split until its size is
+  /// below m·2^bits, so each bit less is four times as many leaves.
   static constexpr std::array<int, 6> kBits = {4, 8, 13, 19, 28, 30};
   /// Cuts shorter than 1/8 of the window are not written: the children cut again anyway.
   static constexpr std::uint64_t kLeastCutInverse = 8;
