@@ -173,7 +173,7 @@ TEST(PluginClaims, TrimsAreAskedOfWhomTakesThem) {
 
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
-  EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");
+  EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "correct");
   EXPECT_EQ(outcome_of(kMiss, meeting_at(0, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kNotAtZero, meeting_at(0, 1)), "unknown");
 }
