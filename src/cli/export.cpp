@@ -149,7 +149,8 @@ int run_export(const ExportOptions& options, Session&) {
     if (!options.output.ends_with(ending)) continue;
     throw BadInput{
         {"--output",
-         options.output + ": is a file of cases by its name; tests go to a .cpp, for example"}};
+         options.output +
+             ": is a file of cases by its name; accepted is another, such as a .csv or .cpp"}};
   }
   if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
     return export_engine_tests(options, *engine);
