@@ -83,9 +83,11 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
     if (!times) continue;
     const bool from_lo = times->contains(lo), to_hi = times->contains(hi);
     made.all_separated = made.all_separated || (from_lo && to_hi);
-    for (const double t : ends) {
-      const double at_end = std::abs(gap.extremes(t).gap(static_cast<int>(below)));
-      if (from_lo != to_hi) made.least_gap = std::min(made.least_gap, at_end / gap.error());
+    if (from_lo != to_hi) {
+      for (const double t : ends) {
+        const double at_end = std::abs(gap.extremes(t).gap(static_cast<int>(below)));
+        made.least_gap = std::min(made.least_gap, at_end / gap.error());
+      }
     }
     if (from_lo) made.separated.lo = std::max(made.separated.lo, times->to);
     if (to_hi) made.separated.hi = std::min(made.separated.hi, times->from);

@@ -13,6 +13,7 @@
 #include "files/engine_test.hpp"
 #include "files/query_csv.hpp"
 #include "files/test_snippet.hpp"
+#include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -145,8 +146,7 @@ int export_engine_tests(const ExportOptions& options, const EngineTemplate& engi
 }
 
 int run_export(const ExportOptions& options, Session&) {
-  for (const char* ending : {".json", ".jsonl", ".jsonl.zst"}) {
-    if (!options.output.ends_with(ending)) continue;
+  if (case_file_kind_by_name(options.output)) {
     throw BadInput{
         {"--output",
          options.output +

@@ -93,10 +93,15 @@ class ZstdFile : public InputBytes {
 
 }  // namespace
 
-Result<CaseFileKind> case_file_kind(const std::string& path) {
+std::optional<CaseFileKind> case_file_kind_by_name(const std::string& path) {
   if (path.ends_with(".json")) return CaseFileKind::kJson;
   if (path.ends_with(".jsonl")) return CaseFileKind::kJsonLines;
   if (path.ends_with(".jsonl.zst")) return CaseFileKind::kJsonLinesZstd;
+  return std::nullopt;
+}
+
+Result<CaseFileKind> case_file_kind(const std::string& path) {
+  if (const auto kind = case_file_kind_by_name(path)) return *kind;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {

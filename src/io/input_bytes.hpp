@@ -14,6 +14,8 @@ namespace ccdfuzz {
 /// How a path's ending says its cases are stored.
 enum class CaseFileKind { kJson, kJsonLines, kJsonLinesZstd };
 
+/// What the ending of a path says; nullopt for one other than .json, .jsonl and .jsonl.zst.
+std::optional<CaseFileKind> case_file_kind_by_name(const std::string& path);
 /// The kind of a path. Devices and pipes of any name (/dev/stdin) hold lines.
 /// Errors: an ending other than .json, .jsonl and .jsonl.zst, naming the path.
 Result<CaseFileKind> case_file_kind(const std::string& path);
