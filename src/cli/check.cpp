@@ -37,6 +37,7 @@ struct CheckedProperty {
   CheckTally tally = {};
   std::string reproduce = {};          ///< the first failure
   std::optional<ClaimFind> find = {};  ///< made of it where somebody wants to see it
+  bool fails_again = false;            ///< it; a hang need not draw choices that can be stored
   std::string saved = {};              ///< its path; empty where it need not or could not be saved
   std::string not_saved = {};          ///< why not, as it was found or as it was shrunk
 
@@ -60,11 +61,11 @@ struct CheckedProperty {
     archive.when(tally.failed > 0, "reproduce", checked.reproduce);
     if (checked.find) {
       const ClaimFind& find = *checked.find;
-      const bool fails_again = find.shrunk != Shrunk::kNot;
-      archive("fails_again", fails_again);
-      archive.when(fails_again, "shrunk", find.text);
-      archive.when(fails_again, "cut_short", find.shrunk == Shrunk::kCutShort);
-      archive.when(fails_again, "reproduce_shrunk", find.reproduce());
+      const bool is_shrunk = find.shrunk != Shrunk::kNot;
+      archive("fails_again", checked.fails_again);
+      archive.when(is_shrunk, "shrunk", find.text);
+      archive.when(is_shrunk, "cut_short", find.shrunk == Shrunk::kCutShort);
+      archive.when(is_shrunk, "reproduce_shrunk", find.reproduce());
     }
     archive.optional("saved", checked.saved);
     archive.optional("not_saved", checked.not_saved);
@@ -119,7 +120,9 @@ void print_found(const CheckedProperty& checked) {
 /// Prints what shrinking made of the find, and where that is saved.
 void print_shrunk(const CheckedProperty& checked) {
   const ClaimFind& find = *checked.find;
-  std::string text = "\nnot shrunk: the same input does not fail each time that it is run\n";
+  std::string text = checked.fails_again
+                         ? "\nnot shrunk: it hangs each time, on choices that do not end\n"
+                         : "\nnot shrunk: the same input does not fail each time that it is run\n";
   if (find.shrunk != Shrunk::kNot) {
     text =
         fmt::format("\n{}reproduce: {}\n",
@@ -195,6 +198,7 @@ class PropertyCheck {
       return session_.interrupted() || (inputs.seconds && watch.seconds() >= *inputs.seconds);
     };
     const auto least = claims.least(checked_.property, failed, {kShrinkTries, is_over});
+    checked_.fails_again = least || failed.error == "hang";
     if (!least) return;
     checked_.find->set_least(*least);
     save();

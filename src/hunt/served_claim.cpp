@@ -10,7 +10,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "generators/draw/choice_bytes.hpp"
 #include "io/serve.hpp"
 #include "method/served_method.hpp"
 
@@ -42,19 +41,21 @@ struct Said {
 };
 
 /// What draws make are thousands of choices. More are not kept: a child's files end at 16 MiB.
-constexpr std::size_t kMostMade = std::size_t{15} << 20;
+constexpr std::size_t kMostMade = std::size_t{1} << 20;
+/// A hang whose choices fit into no argument of a command is repeated by its draw alone: 128 KiB,
+/// and a choice has at most 20 digits.
+constexpr std::size_t kMostOfAHang = (std::size_t{128} << 10) / 21;
 
-/// The choices of one input as they are made.
+/// The choices of one input as they are made, the last at `place`: later ones were refused.
 class MadeWriter {
  public:
   MadeWriter() { static_cast<void>(::ftruncate(ChildProgram::kInherited, 0)); }
 
-  void add(std::uint64_t choice) {
-    if (size_ > kMostMade) return;
-    const std::vector<std::uint8_t> bytes = bytes_of({choice});
-    const ssize_t n =
-        ::pwrite(ChildProgram::kInherited, bytes.data(), bytes.size(), static_cast<off_t>(size_));
-    if (n > 0) size_ += static_cast<std::size_t>(n);
+  void add(std::size_t place, std::uint64_t choice) {
+    if (place >= kMostMade) return;
+    const auto at = static_cast<off_t>(place * sizeof choice);
+    if (place < size_) static_cast<void>(::ftruncate(ChildProgram::kInherited, at));
+    if (::pwrite(ChildProgram::kInherited, &choice, sizeof choice, at) > 0) size_ = place + 1;
   }
 
  private:
@@ -85,7 +86,7 @@ CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) 
 
 Check run_and_record(const Property& property, Draw& choices) {
   MadeWriter made;
-  choices.watch([&](std::uint64_t choice) { made.add(choice); });
+  choices.watch([&](std::uint64_t choice) { made.add(choices.numbers().size() - 1, choice); });
   return run(property, choices);
 }
 
@@ -129,8 +130,8 @@ void MadeChoices::clear() {
 
 void MadeChoices::read_into(InputRun& run) const {
   const off_t size = ::lseek(*file_, 0, SEEK_END);
-  std::vector<std::uint8_t> made(static_cast<std::size_t>(size));
-  if (::pread(*file_, made.data(), made.size(), 0) == size) run.numbers = choices_of(made);
+  ChoiceNumbers made(static_cast<std::size_t>(size) / sizeof made[0]);
+  if (::pread(*file_, made.data(), static_cast<std::size_t>(size), 0) == size) run.numbers = made;
 }
 
 ServedClaims::ServedClaims(const std::atomic<bool>* interrupted)
@@ -192,7 +193,9 @@ std::optional<Counterexample> ServedClaims::least(const Property& property, cons
                                                   const ShrinkLimits& limits) {
   const auto runner = [&](const ChoiceNumbers& numbers) { return on(property, numbers); };
   if (found.error != "hang") return shrunk_counterexample(runner, found.numbers, limits);
-  if (!on(property, found.numbers).fails_as(found)) return std::nullopt;
+  if (found.numbers.size() > kMostOfAHang || !on(property, found.numbers).fails_as(found)) {
+    return std::nullopt;
+  }
   return Counterexample{found.numbers, found.check, 0, true};
 }
 

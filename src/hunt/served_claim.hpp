@@ -67,8 +67,9 @@ class ServedClaims {
                       std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
-  /// is, since each try would cost all its time. None if it does not fail each time. found: what
-  /// on() or on_draw() gave, and fails.
+  /// is, since each try would cost all its time. None if its choices do not show it: it does not
+  /// fail each time, or is a hang that draws without end. found: what on() or on_draw() gave, and
+  /// fails.
   std::optional<Counterexample> least(const Property& property, const InputRun& found,
                                       const ShrinkLimits& limits);
 

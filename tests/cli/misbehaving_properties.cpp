@@ -1,5 +1,6 @@
 // `ccdfuzz check` and `ccdfuzz triage` of made-up properties, each of which misbehaves as its name
 // says.
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -88,6 +89,29 @@ void hangs(Draw& choices) {
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
+/// The timer of a child that hangs ends this one soon.
+void hangs_soon() {
+  const itimerval soon = {{0, 0}, {0, 100'000}};
+  ::setitimer(ITIMER_PROF, &soon, nullptr);
+}
+
+void draws_without_end(Draw& choices) {
+  hangs_soon();
+  for (;;) choices.choose(9);
+}
+
+void refuses_all_draws(Draw& choices) {
+  hangs_soon();
+  choices.until([&] { return choices.choose(9); }, [](std::uint64_t) { return false; });
+}
+
+/// Takes more tries than stored choices are given.
+void fails_on_what_is_rare(Draw& choices) {
+  const auto number = [&] { return choices.choose(1'000'000); };
+  choices.until(number, [](std::uint64_t n) { return n % 1000 == 999; });
+  throw Refuted("it is rare");
+}
+
 /// Once: whoever asks twice wants the program to end at once.
 void interrupts(Draw& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
@@ -114,7 +138,7 @@ void takes_long_to_shrink(Draw& choices, int runs) {
   static std::atomic<int> done = 0;
   if (++done > runs) std::abort();
   int large = 0;
-  for (int i = 0; i < 100; ++i) large += choices.choose(1000) > 100 ? 1 : 0;
+  for (int i = 0; i < 100; ++i) large += choices.choose(std::uint64_t{1} << 60) > 100 ? 1 : 0;
   if (large >= 20) throw Refuted("many are large");
 }
 
@@ -145,6 +169,9 @@ std::vector<Property> misbehaving() {
           {"made_up.interrupts", "", "", interrupts},
           {"made_up.wants_memory", "", "", wants_memory},
           {"made_up.hangs", "", "", hangs},
+          {"made_up.draws_without_end", "", "", draws_without_end},
+          {"made_up.refuses_all_draws", "", "", refuses_all_draws},
+          {"made_up.fails_on_what_is_rare", "", "", fails_on_what_is_rare},
           {"made_up.interrupts_and_hangs", "", "", interrupts_and_hangs}};
 }
 
