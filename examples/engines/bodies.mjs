@@ -71,16 +71,19 @@ export function capsule({ points: [p, q] }, axis) {
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
 /// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
 /// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
-/// the second then. A `meshTolerance` is for what the engine rounds of meshes.
+/// the second then. A `meshTolerance` is for what the engine rounds of meshes. It refuses other options.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
   const { spins = '', meshTolerance = tolerance } = adapter;
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
-    const any = (asked.options ?? '').includes('any-numbers=1');
-    const turning = spins !== '' && (asked.options ?? '').includes('spins=1');
-    const meshes = (asked.options ?? '').includes('mesh=1');
-    const reply = asked.ask === 'describe'
+    const options = (asked.options ?? '').split(':').filter((option) => option !== '');
+    const known = ['any-numbers=1', ...(spins ? ['spins=1'] : []), ...(sides.length > 0 ? ['mesh=1'] : [])];
+    const unknown = options.find((option) => !known.includes(option));
+    const [any, turning, meshes] = ['any-numbers=1', 'spins=1', 'mesh=1'].map((option) => options.includes(option));
+    const reply = unknown !== undefined
+      ? { refused: 'options', message: `unknown option ${unknown}; there are: ${known.join(' ')}` }
+      : asked.ask === 'describe'
       ? { protocol: 1, name, version, promise: turning ? spins : promise, accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""bisect.py CCDFUZZ FOLDER: script/engines --bisect, with stand-ins for npm and for node with its adapter.
+"""bisect.py CCDFUZZ FOLDER: script/engines --bisect and --options, with stand-ins for npm and node with its adapter.
 
 Versions called good answer one of two finds right, those called bad miss it, and all others end with an error. Each
 misses the other find of the folder.
@@ -25,7 +25,9 @@ versions = dict(pair.split("=") for pair in os.environ["VERSIONS"].split())
 kind = versions[sys.argv[1].split("@")[1].split("/")[0]]
 for line in sys.stdin:
     asked = json.loads(line)
-    if asked["ask"] == "describe":
+    if "nonsense" in asked.get("options", ""):
+        reply = {"refused": "options", "message": "unknown option nonsense"}
+    elif asked["ask"] == "describe":
         reply = {"protocol": 1, "takes_bodies": True, "accepts": [[{"shape": "hull", "max_degree": 8}] * 2]}
     else:
         is_hit = {"good": True, "bad": False}[kind] and len(asked["patches"][0]["positions"]) == 1
@@ -72,6 +74,9 @@ def main():
     got, text = run(folder, program, "1.0=good", "rapier@9.9")
     if got != 77 or "No matching version found" not in text:
         failures.append(f"a version that is not there: exit code {got}\n{text}")
+    got, text = run(folder, program, "1.0=good", "rapier@9.9", "rapier@1.0", "--options", "nonsense=1")
+    if got != 2 or "rapier skipped" not in text or "unknown option nonsense" not in text:
+        failures.append(f"options that there are not: exit code {got}\n{text}")
     sys.exit("\n".join(failures) or 0)
 
 
