@@ -21,7 +21,10 @@ constexpr const char* kPreamble = R"(#include <ccdfuzz_plugin.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 {0}
@@ -40,16 +43,18 @@ ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint3
 struct Plugin {{
   const ccdfuzz_plugin* const table = ccdfuzz_plugin_get();
   void* state = nullptr;
-  const bool is_made = table->create("", &state) == 0;
   ccdfuzz_description description{{}};
 
   Plugin() {{
+    const char* const given = std::getenv("CCDFUZZ_PLUGIN_OPTIONS");
+    const std::string options = given != nullptr ? given : "";
+    if (table->create(options.c_str(), &state) != 0) {{
+      throw std::runtime_error("the plug-in refuses CCDFUZZ_PLUGIN_OPTIONS=\"" + options + "\"");
+    }}
     description.size = sizeof description;
-    if (is_made) table->describe(state, &description);
+    table->describe(state, &description);
   }}
-  ~Plugin() {{
-    if (is_made) table->destroy(state);
-  }}
+  ~Plugin() {{ table->destroy(state); }}
 }};
 
 /// The patch as ccdfuzz asks about it. A plug-in gets one of ends and velocities. One that takes no
@@ -69,7 +74,6 @@ ccdfuzz_patch as_taken(ccdfuzz_patch patch, std::uint32_t claims) {{
 ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
   const Plugin plugin;
   ccdfuzz_answer answer{{}};
-  if (!plugin.is_made) return answer;
   const ccdfuzz_description& description = plugin.description;
   const auto takes = [&](const ccdfuzz_patch& first, const ccdfuzz_patch& second) {{
     return std::any_of(description.pairs, description.pairs + description.pair_count,
@@ -269,6 +273,7 @@ std::string test_preamble(TestFramework framework) {
       "folder\n"
       "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
   out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
+  out += "// The environment variable CCDFUZZ_PLUGIN_OPTIONS has the options of the plug-in.\n";
   return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
 }
 

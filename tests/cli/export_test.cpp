@@ -67,7 +67,7 @@ class ExportedTests {
   /// Whether claiming_plugin.cpp with these options passes. Expects that replay calls it wrong
   /// exactly if it does not.
   bool pass(const std::string& options) const {
-    const bool passed = shell("CCDFUZZ_TEST_CLAIMING=" + options + " " + claiming_).code == 0;
+    const bool passed = shell("CCDFUZZ_PLUGIN_OPTIONS=" + options + " " + claiming_).code == 0;
     const std::string plugin = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":" + options;
     const Finished replayed =
         ccdfuzz({"replay", cases_, "--methods", plugin, "--expect", "correct"});
@@ -93,6 +93,19 @@ TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
   EXPECT_THAT(right.out, testing::HasSubstr("[  PASSED  ] 2 tests"));
   EXPECT_FALSE(tests.pass("verdict=2")) << "misses the contact";
   EXPECT_FALSE(tests.pass("verdict=1")) << "hits what does not touch";
+}
+
+TEST(Export, AsGoogleTestSaysThatAPluginRefusesItsOptions) {
+  const ExportedTests tests(kReachesTheFace);
+  const std::string linear = tests.with_plugin(CCDFUZZ_TEST_LINEAR_PLUGIN);
+  for (const auto& [options, program, why] :
+       {std::array{std::string("refuse=1"), tests.with_plugin(CCDFUZZ_TEST_CLAIMING_PLUGIN),
+                   std::string("as the options say")},
+        {"nonsense", linear, "refuses CCDFUZZ_PLUGIN_OPTIONS=\"nonsense\""}}) {
+    const Finished refused = shell("CCDFUZZ_PLUGIN_OPTIONS=" + options + " " + program);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_THAT(refused.out, testing::HasSubstr(why));
+  }
 }
 
 TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {

@@ -206,13 +206,14 @@ typedef struct ccdfuzz_description {
   uint64_t body_count;
 } ccdfuzz_description;
 
-/* A plug-in. Every function may be called from one thread at a time. None may let an exception
- * out. */
+/* A plug-in. Every function may be called from one thread at a time. None but create, in C++, may
+ * let an exception out. */
 typedef struct ccdfuzz_plugin {
   uint32_t size;
   uint32_t abi; /* CCDFUZZ_PLUGIN_ABI */
   /* A new state (0 is one, too), from what stands behind the path in
-   * `plugin:PATH:OPTIONS`; "" if nothing does. Returns 0, or not 0 if the options are wrong. */
+   * `plugin:PATH:OPTIONS`; "" if nothing does. Returns 0, or not 0 if the options are wrong.
+   * What it throws says what is wrong with them. */
   int32_t (*create)(const char* options, void** state);
   void (*destroy)(void* state);
   int32_t (*describe)(void* state, ccdfuzz_description* description);

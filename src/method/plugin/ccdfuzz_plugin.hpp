@@ -9,7 +9,7 @@
 //
 // A Refusal that an answer throws says that it does not take the query. Anything else that an
 // answer throws becomes an error with the exception's text. A constructor or describe() that throws
-// refuses the options, and its text is not shown.
+// refuses the options, with that text.
 #pragma once
 
 #include <algorithm>
@@ -111,12 +111,8 @@ struct Wrapped {
   }
 
   static std::int32_t create(const char* options, void** state) {
-    try {
-      *state = new Wrapped(options);
-      return 0;
-    } catch (...) {
-      return 1;
-    }
+    *state = new Wrapped(options);
+    return 0;
   }
   static void destroy(void* state) { delete static_cast<Wrapped*>(state); }
 

@@ -58,17 +58,18 @@ void send(const Json& reply) {
   std::_Exit(0);
 }
 
-/// Calls a function of the plug-in.
+/// Calls a function of the plug-in. An exception ends this with its text after `before`.
 template <class Call>
-auto guarded(const Call& call) {
+auto guarded(const Call& call, const char* field = "fault", const char* name = "exception",
+             const std::string& before = "") {
   try {
     return call();
   } catch (const std::bad_alloc&) {
     out_of_memory();
   } catch (const std::exception& error) {
-    fault("exception", error.what());
+    end_with(field, name, before + error.what());
   } catch (...) {
-    fault("exception", "something that is no std::exception");
+    end_with(field, name, before + "something that is no std::exception");
   }
 }
 
@@ -134,9 +135,10 @@ class Plugin {
       fault("sizes", "says that its ccdfuzz_plugin has " + std::to_string(table_->size) +
                          " bytes, not " + std::to_string(sizeof *table_));
     }
-    if (guarded([&] { return table_->create(options.c_str(), &state_); }) != 0) {
-      end_with("refused", "options",
-               std::string(path) + " refuses the options \"" + options + "\"");
+    const std::string refusal = std::string(path) + " refuses the options \"" + options + "\"";
+    if (guarded([&] { return table_->create(options.c_str(), &state_); }, "refused", "options",
+                refusal + ": ") != 0) {
+      end_with("refused", "options", refusal);
     }
   }
 
