@@ -30,6 +30,12 @@ Axis scaled(const Axis& a, double s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
 
+/// The part of v that is normal to the edge, times the square of its length. What rounding leaves
+/// along the edge is u of it, however near to parallel the vectors were that v is made from.
+Axis across(const Axis& v, const Axis& edge) {
+  return cross(edge, cross(v, edge));
+}
+
 double unit_clamp(double x) {
   return std::clamp(x, 0.0, 1.0);
 }
@@ -47,6 +53,34 @@ std::array<double, 2> nearest_of_edges(const Axis& d, const Axis& e, const Axis&
     x = ee > 0 ? unit_clamp((y * ef - de) / ee) : 0;
   }
   return {x, y};
+}
+
+/// The shortest vector d + x·e − y·f, x and y in [0, 1], but for a few roundings of d, e and f. It
+/// is from an end of an edge to the other edge, or between inner points.
+Axis shortest_between_edges(const Axis& d, const Axis& e, const Axis& f) {
+  Axis shortest = d;
+  double least = std::numeric_limits<double>::infinity();
+  // `from` and an edge that begins at the origin.
+  const auto consider = [&](const Axis& from, const Axis& edge) {
+    const double length = dot_of(edge, edge);
+    const double share = length > 0 ? unit_clamp(dot_of(from, edge) / length) : 0;
+    const Axis between = minus(from, scaled(edge, share));
+    if (const double squared = dot_of(between, between); squared < least) {
+      least = squared;
+      shortest = between;
+    }
+  };
+  const Axis back = scaled(e, -1), normal = cross(e, f);
+  consider(d, f);
+  consider(plus(d, e), f);
+  consider(d, back);
+  consider(minus(d, f), back);
+  // From the cross product, as a difference of dot products loses the square of the angle.
+  if (const double squared = dot_of(normal, normal); squared > 0) {
+    const double x = unit_clamp(dot_of(cross(f, d), normal) / squared);
+    consider(plus(d, scaled(e, x)), f);
+  }
+  return shortest;
 }
 
 /// Weights of b and c in the point of the triangle a, b, c nearest to the origin: on an edge or
@@ -219,14 +253,17 @@ class ConservativeAdvancement {
   void try_axes_of_edges() {
     const Axis d = differences_.at(0, time_);
     const Axis e = minus(differences_.at(1, time_), d), f = minus(d, differences_.at(2, time_));
-    follow(cross(e, f));
+    const bool is_apart = query_.separation > 0;
+    const Axis normal = cross(e, f);
+    follow(is_apart ? across(normal, e) : normal);
     if (clear_) return;
     const auto [x, y] = nearest_of_edges(d, e, f);
-    const Axis nearest = minus(plus(d, scaled(e, x)), scaled(f, y));
+    const Axis nearest =
+        is_apart ? shortest_between_edges(d, e, f) : minus(plus(d, scaled(e, x)), scaled(f, y));
     follow(nearest);
     for (const Axis& edge : {e, f}) {
       if (clear_) return;
-      follow(cross(edge, cross(d, edge)));
+      follow(across(is_apart ? nearest : d, edge));
     }
   }
 
@@ -235,7 +272,7 @@ class ConservativeAdvancement {
                c = differences_.at(2, time_);
     const Axis ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
     const Axis normal = cross(ab, ac);
-    follow(normal);
+    follow(query_.separation > 0 ? across(normal, ab) : normal);
     if (clear_) return;
     const auto [of_b, of_c] = nearest_of_face(a, b, c);
     follow(plus(a, plus(scaled(ab, of_b), scaled(ac, of_c))));
@@ -244,7 +281,7 @@ class ConservativeAdvancement {
       if (clear_) return;
       follow(cross(normal, *edge));
       if (clear_) return;
-      follow(cross(*edge, cross(*corner, *edge)));
+      follow(across(*corner, *edge));
     }
   }
 

@@ -40,10 +40,10 @@ namespace ccdfuzz {
 /// what is said above holds. The answer's note says so then.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
 /// That a hit's cells are about as near as d is tested (separation.not_early), but not proven.
-/// A hit on linear patches without pops is decided as far as doubles tell the distance from d.
-/// Where edges are nearly parallel, and nearer than 2^-25 of the size, that is to about 2^-27 of
-/// it. With pops, which edges that turn may take, it is as near as any other hit. Keeps at most
-/// kKeptBytes between queries. A law's tests are named by it in tests/ccd_certified.
+/// A hit on linear patches without pops is decided as far as doubles tell the distance from d: to
+/// 2^-42 of the size (tdibm-c.linear_near_misses). With pops, which edges that turn may take, it is
+/// as near as any other hit. Keeps at most kKeptBytes between queries. A law's tests are named by
+/// it in tests/ccd_certified.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);

@@ -1,0 +1,140 @@
+#include <cmath>
+#include <utility>
+
+#include "certify/checker/check_bodies.hpp"
+#include "certify/oracle/decide_bodies.hpp"
+#include "method/method.hpp"
+#include "numeric/products.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+#include "properties/suites.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Multiples of 2^-50, so that sums below 8 are exact.
+double to_grid(double x) {
+  return std::ldexp(std::nearbyint(std::ldexp(x, 50)), -50);
+}
+
+Vec3<double> draw_vector(Draw& d, int exponent) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 40;
+  Vec3<double> v;
+  for (int k = 0; k < 3; ++k) {
+    v[k] = to_grid(std::ldexp(static_cast<double>(d.integer(-kMost, kMost)), exponent - 40));
+  }
+  return v;
+}
+
+/// The shortest way is 2^-kLeastNearness at least, and what it exceeds the separation by is more
+/// than this part of the size.
+constexpr int kLeastNearness = 38, kTold = 42;
+
+/// Corners of two linear patches that come as near as `way`: at inner points, at ends, or past
+/// these. Edges are up to 2^-52 from parallel.
+std::array<Points<double>, 2> draw_corners(Draw& d, Vec3<double>& way) {
+  const Vec3<double> e = draw_vector(d, 0), other = draw_vector(d, 0);
+  const double factor = d.pick(std::array{1.0, -1.0, 0.5, -0.75});
+  const int turned = static_cast<int>(d.integer(0, 52));
+  const Vec3<double> f = factor * e + std::ldexp(1.0, -turned) * other;
+  suppose(e.norm() > 0);
+  way = d.coin() ? cross(e, other) : Vec3<double>(other - e * (dot(e, other) / dot(e, e)));
+  suppose(way.norm() > 0);
+  const int nearness = static_cast<int>(d.integer(1, kLeastNearness));
+  way *= std::ldexp(1 / way.norm(), -nearness);
+  if (d.coin()) way += draw_vector(d, -nearness);
+
+  const int beyond = d.coin() ? 2 : 0;
+  const double a = static_cast<double>(d.integer(-beyond, 8 + beyond)) / 8;
+  const double b = static_cast<double>(d.integer(-beyond, 8 + beyond)) / 8;
+  const Vec3<double> p = draw_vector(d, 0), q = p + way - a * e;
+  switch (d.below(4)) {
+    case 0:
+      return {Points<double>{p}, {q, q + e}};
+    case 1: {
+      const Vec3<double> corner = q - b * f;
+      return {Points<double>{p}, {corner, corner + e, corner + f}};
+    }
+    default:
+      return {Points<double>{p - b * f, p + (1 - b) * f}, {q, q + e}};
+  }
+}
+
+/// Two linear patches that near each other until t = 1, or move apart from t = 0 on. The corners of
+/// each move alike, or each by itself.
+Query draw_near_miss(Draw& d) {
+  Vec3<double> way;
+  const std::array<Points<double>, 2> corners = draw_corners(d, way);
+  const bool turns = d.coin(), departs = d.coin();
+  const int exponent = -static_cast<int>(d.integer(0, 40));
+  const Vec3<double> common = d.coin() ? draw_vector(d, 0) : Vec3<double>(0, 0, 0);
+  Query query;
+  query.t_max = 1;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    const std::size_t count = corners[s].size();
+    patch.shape = count == 1 ? Shape::point() : count == 2 ? Shape::curve(1) : Shape::triangle(1);
+    Vec3<double> v(0, 0, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (turns || i == 0) v = draw_vector(d, exponent);
+      if ((dot(v, way) < 0) == ((s == 0) != departs)) v = -v;
+      patch.velocities.push_back(v + common);
+      Vec3<double> p;
+      for (int k = 0; k < 3; ++k) p[k] = to_grid(corners[s][i][k]);
+      patch.positions.push_back(departs ? p : Vec3<double>(p - patch.velocities.back()));
+    }
+  }
+  const int less = static_cast<int>(d.integer(1, kTold));
+  query.separation = way.norm() * (1 - std::ldexp(1.0, -less));
+  if (d.coin()) std::swap(query.patches[0], query.patches[1]);
+  return query;
+}
+
+/// The corners at t as bodies at rest.
+Query at_rest(Query query, double t) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] += t * patch.velocities[i];
+    }
+    patch.velocities = {{0, 0, 0}};
+    patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
+  }
+  return query;
+}
+
+/// One direction keeps the patches farther apart than the separation at t = 0 and at t = 1, hence
+/// between: the gap along it is convex.
+bool are_apart(const Query& query) {
+  for (const double t : {0.0, 1.0}) {
+    const Truth truth = decide_bodies(at_rest(query, t), {}).truth;
+    if (truth.collides != false) return false;
+    const auto& clear = std::get<BodyClearance>(*truth.clearance);
+    if (check_body_clearance(at_rest(query, 1 - t), clear)) return true;
+  }
+  return false;
+}
+
+void check_near_misses(Draw& d) {
+  const Query query = draw_near_miss(d);
+  suppose(is_valid(query));
+  show(d, "query", query);
+  Query farther = query;
+  farther.separation += std::ldexp(1.0, -kTold);
+  suppose(are_apart(farther));
+  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
+  show(d, "toi", answer.toi);
+  CLAIM(answer.verdict == Verdict::kMiss);
+}
+
+}  // namespace
+
+std::vector<Property> linear_distances_claims() {
+  return {
+      {"tdibm-c.linear_near_misses",
+       "Linear patches that stay farther apart than the separation, by 2^-42 of their size, are "
+       "a miss",
+       "src/ccd/certified/DERIVATION.md, 8", check_near_misses}};
+}
+
+}  // namespace ccdfuzz
