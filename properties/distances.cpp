@@ -35,8 +35,7 @@ void check_reach(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d, true));
   Case known = case_of(drawn);
   show(d, "contact", known);
-  const bool is_accepted = check_witness(known.query, *known.truth.witness).has_value();
-  CLAIM(is_accepted);
+  CLAIM(check_witness(known.query, *known.truth.witness).has_value());
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == known.query);
   for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
@@ -44,8 +43,7 @@ void check_reach(Draw& d) {
     CLAIM(verdict == Verdict::kRefused);
   }
   known.query.separation = std::nextafter(known.query.separation, 0);
-  const bool is_nearer_accepted = check_witness(known.query, *known.truth.witness).has_value();
-  CLAIM(!is_nearer_accepted);
+  CLAIM(!check_witness(known.query, *known.truth.witness));
 }
 
 void check_not_early_apart(Draw& d) {
@@ -70,16 +68,14 @@ void check_proofs_of_touching(Draw& d) {
   show(d, "query", drawn.query);
   const MovingPlane plane = supposed(find_plane(drawn.query, drawn.witness));
   drawn.query.separation = kLittle;
-  const bool plane_holds = check_plane(drawn.query, plane).has_value();
-  CLAIM(!plane_holds);
+  CLAIM(!check_plane(drawn.query, plane));
 
   Query linear = supposed(draw_linear(d));
   const Decision decision = decide_linear(linear, {});
   suppose(decision.truth.clearance.has_value());
   show(d, "linear", linear);
   linear.separation = kLittle;
-  const bool linear_holds = check_clearance(linear, *decision.truth.clearance, "").has_value();
-  CLAIM(!linear_holds);
+  CLAIM(!check_clearance(linear, *decision.truth.clearance, ""));
 }
 
 /// What the oracle says of separations, the checker accepts, and it is no miss.

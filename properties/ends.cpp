@@ -62,8 +62,7 @@ void check_meaning(Draw& d) {
   const auto& patches = drawn.query.patches;
   CLAIM(between(patches[0], witness.uv[0], witness.t) ==
         between(patches[1], witness.uv[1], witness.t));
-  const bool is_accepted = check_truth(drawn).has_value();
-  CLAIM(is_accepted);
+  CLAIM(check_truth(drawn).has_value());
   const auto read = parse_case(to_json(drawn, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == drawn.query);
 }
@@ -121,9 +120,7 @@ void check_late_linear_proof(Draw& d) {
   const Case drawn = draw_contact_with_ends(d, {.max_degree = 1});
   suppose(is_linear_query(drawn.query));
   show(d, "contact", drawn);
-  const bool is_accepted =
-      check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}).has_value();
-  CLAIM(!is_accepted);
+  CLAIM(!check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}));
 }
 
 /// Methods of the paper refuse motions that their velocities do not hold. No query is past the

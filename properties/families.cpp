@@ -31,8 +31,7 @@ void check_truths(Draw& d) {
   const Truth& truth = made.truth;
   CLAIM(truth.collides == (kind == CaseKind::kRP));
   if (!truth.clearance) return;
-  const bool is_clear = check_clearance(made.query, *truth.clearance, "").has_value();
-  CLAIM(is_clear);
+  CLAIM(check_clearance(made.query, *truth.clearance, "").has_value());
 }
 
 }  // namespace

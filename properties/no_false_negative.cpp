@@ -24,8 +24,7 @@ void claim_no_false_negative(const std::string& method, const Case& value,
   show(draw, "outcome", outcome);
   show(draw, "toi", answer.toi);
   show(draw, "contact", value);
-  const bool is_accepted = known.collides() == true;
-  CLAIM(is_accepted);
+  CLAIM(known.collides() == true);
   CLAIM(!is_false_negative(outcome) && outcome != Outcome::kError);
 }
 

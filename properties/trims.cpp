@@ -75,8 +75,7 @@ void check_trim_meaning(Draw& d) {
   const Case known = draw_trimmed(d);
   show(d, "contact", known);
   const bool is_inside = is_in_regions(known);
-  const bool is_accepted = check_truth(known).has_value();
-  CLAIM(is_accepted == is_inside);
+  CLAIM(check_truth(known).has_value() == is_inside);
   const auto q = supposed(contact_of(known));
   CLAIM(is_in_trims(q) == is_inside);
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");

@@ -57,8 +57,7 @@ void check_meaning(Draw& d) {
   const auto& patches = known.query.patches;
   CLAIM(rational_point(patches[0], witness.uv[0], witness.t) ==
         rational_point(patches[1], witness.uv[1], witness.t));
-  const bool is_accepted = check_truth(known).has_value();
-  CLAIM(is_accepted);
+  CLAIM(check_truth(known).has_value());
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == known.query);
   const auto bytes = to_bytes(q);
@@ -74,8 +73,7 @@ void check_meaning(Draw& d) {
   suppose(patches[side].shape.contains(witness.uv[side]));
   const bool touches = rational_point(patches[0], witness.uv[0], witness.t) ==
                        rational_point(patches[1], witness.uv[1], witness.t);
-  const bool is_moved_accepted = check_witness(known.query, witness).has_value();
-  CLAIM(is_moved_accepted == touches);
+  CLAIM(check_witness(known.query, witness).has_value() == touches);
 }
 
 /// The same answer, to the bit.
@@ -158,8 +156,7 @@ void check_linear(Draw& d) {
   if (!decision.truth.witness || with.verdict != Verdict::kHit) return;
   // Both name about the same point, where there is but one.
   const Witness& witness = *decision.truth.witness;
-  const bool is_accepted = check_contact(weighted, witness).has_value();
-  CLAIM(is_accepted);
+  CLAIM(check_contact(weighted, witness).has_value());
 }
 
 /// A point of a patch is where tdibm-c says: that of its own uv, not of a patch without weights.
@@ -227,16 +224,13 @@ void check_clearances(Draw& d) {
   if (plane) {
     MovingPlane later = *plane;
     later.until += power_of_two(-30);
-    const bool is_later_accepted = check_plane(drawn.query, later).has_value();
-    CLAIM(!is_later_accepted);
+    CLAIM(!check_plane(drawn.query, later));
   }
   constexpr std::uint64_t kFewNodes = 1000;
   const Rational before = t * 3 / 4;
   const auto tree = supposed(build_miss_tree(drawn.query, before, kFewNodes));
-  const bool is_accepted = check_tree(drawn.query, before, tree).has_value();
-  CLAIM(is_accepted);
-  const bool is_late_accepted = check_tree(drawn.query, t, tree).has_value();
-  CLAIM(!is_late_accepted);
+  CLAIM(check_tree(drawn.query, before, tree).has_value());
+  CLAIM(!check_tree(drawn.query, t, tree));
 }
 
 /// Controls of a net, and weights whose exponents differ by up to kWeightBits.
