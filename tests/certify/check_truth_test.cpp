@@ -6,7 +6,7 @@
 
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
-#include "rising_triangle.hpp"
+#include "properties/rising_triangle.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {
@@ -22,19 +22,6 @@ std::string refusal_after(const Change& change) {
   Case c = rising_triangle();
   change(c);
   return refusal(c);
-}
-
-TEST(CheckTruth, AcceptsWhatIsTrue) {
-  EXPECT_EQ(refusal(rising_triangle()), "accepted");
-  EXPECT_EQ(refusal_after([](Case& c) { c.truth = {}; }), "accepted");
-  EXPECT_EQ(refusal_after([](Case& c) { c.truth.collides.reset(); }), "accepted");
-  EXPECT_EQ(refusal_after([](Case& c) { c.query.t_max = 0.5; }), "accepted");
-  EXPECT_EQ(refusal_after([](Case& c) {
-              c.query.t_max = 0.25;  // before the contact, which the witness still tells of
-              c.truth.collides = false;
-              c.truth.proof = "rational-tdibm";
-            }),
-            "accepted");
 }
 
 TEST(CheckTruth, RefusesAWitnessThatIsNone) {

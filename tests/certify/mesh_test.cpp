@@ -81,9 +81,7 @@ TEST(CheckMesh, AHitIsFalseOnlyFarFromEveryFace) {
   known.truth.clearance = valley_clearance();
   const auto checked = check_case(known);
   ASSERT_TRUE(checked);
-  Answer hit;
-  hit.verdict = Verdict::kHit;
-  hit.toi = 0.25;
+  const Answer hit = Answer::hit(0.25);
   AnswerTerms terms;
   terms.space_tolerance = 0.125;
   EXPECT_EQ(judge(*checked, hit, terms), Outcome::kFalsePositive);

@@ -5,7 +5,7 @@
 
 #include "certify/checker/check_truth.hpp"
 #include "generators/planted.hpp"
-#include "tests/certify/rising_triangle.hpp"
+#include "properties/rising_triangle.hpp"
 
 namespace ccdfuzz {
 namespace {

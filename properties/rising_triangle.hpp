@@ -4,7 +4,7 @@
 
 namespace ccdfuzz {
 
-/// A triangle that rises to meet the tip of a second one: first contact at t = 1/2, at the inner
+/// A triangle that rises to meet the tip of a second one. First contact is at t = 1/2, at the inner
 /// point u = v = 1/4 of the one and the corner u = v = 0 of the other.
 inline Case rising_triangle() {
   Case c;
