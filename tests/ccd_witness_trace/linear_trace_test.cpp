@@ -5,16 +5,6 @@
 namespace ccdfuzz {
 namespace {
 
-/// A point that falls onto the unit triangle at t = 1/2, at (1/4, 1/4).
-Query falling_point() {
-  Query query;
-  query.patches[0] = {Shape::point(), {{.25, .25, 1}}, {{0, 0, -2}}};
-  query.patches[1] = {
-      Shape::triangle(1), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  query.t_max = 1;
-  return query;
-}
-
 Witness on_the_triangle(const Rational& t) {
   Witness witness = at_time(t);
   witness.uv[1] = {Rational(1, 4), Rational(1, 4)};
@@ -23,7 +13,7 @@ Witness on_the_triangle(const Rational& t) {
 
 TEST(LinearTrace, IsOfTheAxesThatTheQueryIsDecidedBy) {
   const Trace trace =
-      tracer_of("tdibm-c")->trace(falling_point(), on_the_triangle(Rational(1, 2)), {});
+      tracer_of("tdibm-c")->trace(falling_vertex(), on_the_triangle(Rational(1, 2)), {});
   EXPECT_FALSE(trace.lost);
   EXPECT_EQ(trace.pairs, 1U) << "nothing is split";
   EXPECT_EQ(trace.levels, 0);
@@ -39,7 +29,7 @@ TEST(LinearTrace, IsOfTheAxesThatTheQueryIsDecidedBy) {
 
 TEST(LinearTrace, LosesAWitnessThatIsNoContactToTheAxisThatExcludesIt) {
   const Trace trace =
-      tracer_of("tdibm-c")->trace(falling_point(), on_the_triangle(Rational(1, 4)), {});
+      tracer_of("tdibm-c")->trace(falling_vertex(), on_the_triangle(Rational(1, 4)), {});
   ASSERT_TRUE(trace.lost);
   EXPECT_GE(trace.false_claims, 1U);
   EXPECT_GE(trace.loss->by.axis, 0);
@@ -48,7 +38,7 @@ TEST(LinearTrace, LosesAWitnessThatIsNoContactToTheAxisThatExcludesIt) {
 }
 
 TEST(LinearTrace, LeavesNothingOfAMiss) {
-  Query query = falling_point();
+  Query query = falling_vertex();
   query.patches[0].positions[0][0] = -1;  // beside the triangle
   const Trace trace = tracer_of("tdibm-c")->trace(query, on_the_triangle(Rational(1, 2)), {});
   ASSERT_TRUE(trace.lost);
@@ -57,7 +47,7 @@ TEST(LinearTrace, LeavesNothingOfAMiss) {
 
 TEST(LinearTrace, KeepsContactsOfEveryTimeScale) {
   for (const int exponent : {-1000, -60, 0, 60, 900}) {
-    Query query = falling_point();
+    Query query = falling_vertex();
     query.t_max = std::ldexp(1.0, exponent);
     query.patches[0].velocities[0][2] = std::ldexp(-3.0, -exponent);  // at t_max/3
     const Rational t = exact(query.t_max) / 3;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "admitted.hpp"
+#include "meeting_points.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
 #include "scratch_folder.hpp"
@@ -21,15 +22,6 @@ const std::string kMisbehavingProgram =
     std::string("plugin-exec:") + CCDFUZZ_TEST_MISBEHAVING_PROGRAM;
 const std::string kLinear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;
 const std::string kNaive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
-
-/// A vertex that comes down on (1/4, 1/2) of a triangle at rest at t = 1/2.
-Query falling_vertex() {
-  Query query;
-  query.patches[0] = {Shape::point(), {{0.25, 0.5, 1}}, {{0, 0, -2}}};
-  query.patches[1] = {
-      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  return query;
-}
 
 std::unique_ptr<Method> made(const std::string& spec) {
   auto method = admitted(spec);
@@ -62,16 +54,19 @@ void PrintTo(const Misdeed& misdeed, std::ostream* out) {
   *out << misdeed.options;
 }
 
-class PluginFaults : public testing::TestWithParam<Misdeed> {};
-
-/// Each is reported by its name, again and again, and the method can still be asked.
-TEST_P(PluginFaults, HaveNamesInALibrary) {
-  const auto method = made(kMisbehaving + ":" + patient(GetParam().options));
+/// It is reported by its name, again and again, and the method can still be asked.
+void expect_fault(const std::string& plugin, const Misdeed& misdeed) {
+  const auto method = made(plugin + ":" + patient(misdeed.options));
   for (int round = 0; round < 2; ++round) {
     const auto [name, note] = fault_of(*method);
-    EXPECT_EQ(name, GetParam().name) << note;
-    EXPECT_THAT(note, testing::HasSubstr(GetParam().note));
+    EXPECT_EQ(name, misdeed.name) << note;
+    EXPECT_THAT(note, testing::HasSubstr(misdeed.note));
   }
+}
+
+class PluginFaults : public testing::TestWithParam<Misdeed> {};
+TEST_P(PluginFaults, HaveNamesInALibrary) {
+  expect_fault(kMisbehaving, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -96,12 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misdeed{"describe-hang:seconds=0.2", "hang", ""}));
 
 class ProgramFaults : public testing::TestWithParam<Misdeed> {};
-
 TEST_P(ProgramFaults, HaveNames) {
-  const auto [name, note] =
-      fault_of(*made(kMisbehavingProgram + ":" + patient(GetParam().options)));
-  EXPECT_EQ(name, GetParam().name) << note;
-  EXPECT_THAT(note, testing::HasSubstr(GetParam().note));
+  expect_fault(kMisbehavingProgram, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -156,7 +147,7 @@ TEST(Plugin, IsToldItsOptionsAndNotThoseOfTheHost) {
 
 TEST(Plugin, AnswersInEitherOrderOfThePatches) {
   const auto method = made(kLinear);
-  Query query = falling_vertex();
+  Query query = falling_vertex(0.25, 0.5);
   Answer answer = method->answer(query, {});
   ASSERT_EQ(answer.verdict, Verdict::kHit);
   EXPECT_NEAR(*answer.toi, 0.5, 1e-12);

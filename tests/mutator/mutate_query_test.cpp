@@ -8,6 +8,7 @@
 
 #include "base/verify.hpp"
 #include "case/scale.hpp"
+#include "meeting_points.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -45,11 +46,7 @@ TEST(MutateQuery, MakesTheSameMutantsEverywhere) {
 }
 
 TEST(MutateQuery, KeepsTheShapesOfLinearPatches) {
-  Query query;
-  query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -2}}};
-  query.patches[1] = {
-      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  query.t_max = 1;
+  const Query query = falling_vertex();
   int changed = 0;
   for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
     Draw draw(Random::keyed({seed}));

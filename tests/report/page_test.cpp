@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "meeting_points.hpp"
 #include "report/pack.hpp"
 #include "report/report.hpp"
 #include "report/rows.hpp"
@@ -19,9 +20,7 @@ using Json = nlohmann::json;
 /// Two points that meet at t = 1/2, of t_max 1.
 Case meeting(const std::string& contact) {
   Case value;
-  value.query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
-  value.query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
-  value.query.t_max = 1;
+  value.query = meeting_points(1);
   value.truth.collides = true;
   value.truth.witness = Witness{Rational(1, 2), {}};
   value.origin.contact = contact;
