@@ -36,30 +36,18 @@ Case staying_apart() {
   return made;
 }
 
-Answer hit(double toi) {
-  Answer answer;
-  answer.verdict = Verdict::kHit;
-  answer.toi = toi;
-  return answer;
-}
-
-Answer miss(std::optional<double> toi = {}) {
-  Answer answer;
-  answer.verdict = Verdict::kMiss;
-  answer.toi = toi;
-  return answer;
-}
-
 TEST(Judge, AContactBetweenDoublesIsComparedExactly) {
   const CheckedCase third = *check_case(meeting_at({1, 3}));
-  EXPECT_EQ(judge(third, hit(1.0 / 3)), Outcome::kCorrect);
-  EXPECT_EQ(judge(third, hit(std::nextafter(1.0 / 3, 1))), Outcome::kLate);
+  EXPECT_EQ(judge(third, Answer::hit(1.0 / 3)), Outcome::kCorrect);
+  EXPECT_EQ(judge(third, Answer::hit(std::nextafter(1.0 / 3, 1))), Outcome::kLate);
 }
 
 TEST(Judge, IgnoresTheTimeOfAMiss) {
   const CheckedCase apart = *check_case(staying_apart());
   for (const double toi : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_EQ(judge(apart, miss(toi)), Outcome::kCorrect) << toi;
+    Answer miss = Answer::miss();
+    miss.toi = toi;
+    EXPECT_EQ(judge(apart, miss), Outcome::kCorrect) << toi;
   }
 }
 
@@ -69,7 +57,7 @@ TEST(Judge, NothingIsJudgedByAFalseRoot) {
   lie.truth.collides = true;
   lie.truth.contact_root = ContactRoot{{-1, 2}, 0, 1};
   EXPECT_FALSE(check_case(lie));
-  EXPECT_EQ(judge(checked_or_unknown(lie), miss()), Outcome::kUnknown);
+  EXPECT_EQ(judge(checked_or_unknown(lie), Answer::miss()), Outcome::kUnknown);
 }
 
 TEST(WithTMax, AbsenceHoldsForLessTimeAndAContactFromItsTimeOn) {
@@ -92,7 +80,7 @@ TEST(JudgeByTerms, ParametersOutsideOfATriangleAreMovedToItsEdge) {
       Shape::triangle(1), {{0, 0.25, 0}, {1, 0.25, 0}, {0, 0.25, 1}}, Points<double>(3, {0, 0, 0})};
   AnswerTerms terms;
   terms.space_tolerance = 0.25;
-  Answer outside = hit(1);
+  Answer outside = Answer::hit(1);
   outside.uv[1] = {0, std::nextafter(1, 2)};
   EXPECT_EQ(judge(checked_or_unknown(passing), outside, terms), Outcome::kCorrect);
 }

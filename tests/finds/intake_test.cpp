@@ -17,10 +17,7 @@ using testing::ElementsAre;
 struct Misses : Method {
   explicit Misses(double from) : least(from) {}
   Answered answer(const Query& query, const SearchOptions&) override {
-    Answered answer;
-    answer.verdict = query.patches[0].positions[0][0] >= least ? Verdict::kMiss : Verdict::kHit;
-    if (answer.verdict == Verdict::kHit) answer.toi = 0;
-    return answer;
+    return {query.patches[0].positions[0][0] >= least ? Answer::miss() : Answer::hit(0)};
   }
   double least;
 };

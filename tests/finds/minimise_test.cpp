@@ -31,15 +31,12 @@ Case drawn(ContactClass contact, CaseKind kind, std::uint64_t index,
 
 /// Says "no contact" to whatever has a velocity above 1/8 along z: a bug whose core is one number.
 Answer misses_fast_ones(const Query& query) {
-  Answer answer;
-  answer.verdict = Verdict::kHit;
-  answer.toi = 0;
   for (const MovingPatch<double>& patch : query.patches) {
     for (const Vec3<double>& v : patch.velocities) {
-      if (std::abs(v[2]) > 0.125) answer.verdict = Verdict::kMiss;
+      if (std::abs(v[2]) > 0.125) return Answer::miss();
     }
   }
-  return answer;
+  return Answer::hit(0);
 }
 
 bool is_missed(const Case& value) {
@@ -221,13 +218,8 @@ TEST(Minimise, AnErrorNeedsNoTruth) {
   EXPECT_LE(size_of(small.value.query).significant_bits, 1U) << to_json(small.value);
 }
 
-class MissesAll : public Method {
- public:
-  Answered answer(const Query&, const SearchOptions&) override {
-    Answered miss;
-    miss.verdict = Verdict::kMiss;
-    return miss;
-  }
+struct MissesAll : Method {
+  Answered answer(const Query&, const SearchOptions&) override { return {Answer::miss()}; }
 };
 
 Asker asker_of_misses() {

@@ -162,12 +162,9 @@ TEST(HuntFloats, APluginIsAskedAboutManyMutantsOfLinearPatches) {
 
 /// By whoever misses every body of more than three points.
 bool is_missed(const Case& value) {
-  Answer answer;
-  answer.verdict = Verdict::kHit;
-  answer.toi = 0;
-  for (const MovingPatch<double>& hull : value.query.patches) {
-    if (hull.positions.size() > 3) answer.verdict = Verdict::kMiss;
-  }
+  const bool is_large = std::ranges::any_of(
+      value.query.patches, [](const auto& hull) { return hull.positions.size() > 3; });
+  const Answer answer = is_large ? Answer::miss() : Answer::hit(0);
   return judge(checked_or_unknown(value), answer) == Outcome::kMissed;
 }
 

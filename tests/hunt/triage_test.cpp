@@ -89,9 +89,7 @@ struct Farsighted : Method {
   explicit Farsighted(double limit_) : limit(limit_) {}
 
   Answered answer(const Query& query, const SearchOptions&) override {
-    Answered answer;
-    answer.verdict = query.t_max >= limit ? Verdict::kMiss : Verdict::kUndecided;
-    return answer;
+    return query.t_max >= limit ? Answered{Answer::miss()} : Answered();
   }
 
   double limit;
@@ -103,13 +101,11 @@ struct Failing : Method {
 
   Answered answer(const Query& query, const SearchOptions&) override {
     const auto& velocities = query.patches[0].velocities;
-    Answered answer;
-    if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return answer;
+    if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return {};
     if (how == "aborts") std::abort();
     if (how == "throws") throw std::runtime_error("cannot");
     while (how == "spins") asm volatile("");
-    answer.verdict = Verdict::kMiss;
-    return answer;
+    return {Answer::miss()};
   }
 
   std::string how;

@@ -18,9 +18,7 @@ class Says : public Method {
   }
   const Domain* domain() const override { return &domain_; }
   Answered answer(const Query&, const SearchOptions&) override {
-    Answered answered;
-    answered.verdict = toi_ ? Verdict::kHit : Verdict::kMiss;
-    answered.toi = toi_;
+    Answered answered{toi_ ? Answer::hit(*toi_) : Answer::miss()};
     answered.terms.space_tolerance = answered.terms.depth_tolerance = tolerance_;
     return answered;
   }
