@@ -69,18 +69,6 @@ TEST(TdibmC, DecidesAtTMaxZero) {
   EXPECT_NE(ask({{triangle(0, 5, 1), triangle(0, -5, 1)}, 0}).verdict, Verdict::kMiss);
 }
 
-TEST(TdibmC, KeepsAContactBetweenTwoSeparatedIntervals) {
-  // A point sweeps through the tip of a flat triangle and out again: contact at t = ½ alone.
-  const MovingPatch<double> point{Shape::point(), {{-1, 0, 0}}, {{2, 0, 0}}};
-  const MovingPatch<double> tip{
-      Shape::triangle(1), {{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  for (const double t_max : {0.5, 0.5 + 0x1p-30, 1.0, 2.0}) {
-    const Answer answer = ask({{point, tip}, t_max});
-    EXPECT_EQ(answer.verdict, Verdict::kHit) << t_max;
-    EXPECT_LE(answer.toi.value_or(2), 0.5) << t_max;
-  }
-}
-
 TEST(TdibmC, TimesAreRoundedDownWhereTheyAreSubnormal) {
   const double tiny = 3 * std::numeric_limits<double>::denorm_min();
   const Query query{{triangle(0, 0, 1), triangle(1, -0x1p1000, 1)}, tiny};

@@ -254,6 +254,19 @@ TEST(LawL9, SaysWhatExactArithmeticFinds) {
   EXPECT_GT(proven, 10);
 }
 
+// Integers are slow: random queries are not to need them.
+TEST(RoughContact, LeavesNoneInAThousandRandomQueriesOpen) {
+  Draw random{Random::keyed({38})};
+  NormalisedQuery normalised;
+  std::size_t open = 0;
+  constexpr std::size_t kQueries = 20'000 / kOneIn;
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    normalise(about_origin(random, 53), normalised);
+    open += rough_contact(normalised, 0, 0, 0x1p-14).kind == RoughContact::Kind::kOpen;
+  }
+  EXPECT_LT(1000 * open, kQueries);
+}
+
 // p(t) = (t − ½, ε), q(t) = (s·ε, t − ½) about the origin: collinear with it where (t − ½)² = s·ε²,
 // and on opposite sides there.
 Query near_roots(int exponent, double s) {
