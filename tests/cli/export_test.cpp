@@ -6,28 +6,27 @@
 namespace ccdfuzz {
 namespace {
 
-/// A vertex that reaches a face in its inside, and one that stays above it.
-const std::string kReachesTheFace =
-    R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,)"
-    R"("positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},)"
-    R"({"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-2]]}],"t_max":1,)"
-    R"("truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]}}})"
-    "\n";
-const std::string kStaysAbove =
-    R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,)"
-    R"("positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},)"
-    R"({"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,)"
-    R"("truth":{"collides":false,"proof":"L",)"
-    R"("certificate":{"clear":{"kind":"L","until":"1","closed":true}}}})"
-    "\n";
+/// A vertex that moves down at this speed over a face, from 1 above its inside.
+std::string vertex_onto_face(double speed, const std::string& truth) {
+  constexpr const char* kCase =
+      R"({{"format":"ccdfuzz-case","version":2,"patches":[{{"shape":"triangle","degree":1,)"
+      R"("positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]}},)"
+      R"({{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,{}]]}}],"t_max":1,)"
+      R"("truth":{{{}}}}})"
+      "\n";
+  return fmt::format(kCase, -speed, truth);
+}
 
-/// A contact at t_max, and two balls that meet, of which K is proven.
+/// One that reaches the face, one that stays above it, and one that reaches it at t_max.
+const std::string kReachesTheFace =
+    vertex_onto_face(2, R"("collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]})");
+const std::string kStaysAbove =
+    vertex_onto_face(0.5, R"("collides":false,"proof":"L",)"
+                          R"("certificate":{"clear":{"kind":"L","until":"1","closed":true}})");
 const std::string kContactAtTheEnd =
-    R"({"format":"ccdfuzz-case","version":2,"patches":[{"shape":"triangle","degree":1,)"
-    R"("positions":[[0,0,0],[1,0,0],[0,1,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},)"
-    R"({"shape":"point","positions":[[0.25,0.25,1]],"velocities":[[0,0,-1]]}],"t_max":1,)"
-    R"("truth":{"collides":true,"witness":{"t":"1","uv":[["1/4","1/4"],["0","0"]]}}})"
-    "\n";
+    vertex_onto_face(1, R"("collides":true,"witness":{"t":"1","uv":[["1/4","1/2"],["0","0"]]})");
+
+/// Two balls that meet, of which K is proven.
 const std::string kBallOntoBall =
     R"({"format":"ccdfuzz-case","version":2,"patches":[)"
     R"({"shape":"hull","positions":[[0,0,0]],"velocities":[[0,0,0]],"radius":1},)"

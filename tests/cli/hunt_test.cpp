@@ -33,18 +33,10 @@ std::map<std::string, std::string> files_in(const std::string& folder) {
   return files;
 }
 
-/// A complete find, not one that is being written.
-bool has_entry(const std::string& folder) {
-  const auto files = files_in(folder);
-  return std::ranges::any_of(files, [](const auto& file) {
-    return file.first.ends_with(".json") && !file.first.starts_with('.');
-  });
-}
-
 /// Starts a long hunt and waits until it has stored something.
 std::unique_ptr<Process> hunting(const std::string& corpus) {
   auto process = std::make_unique<Process>(hunt(corpus, {"--seconds", "600"}));
-  while (!has_entry(corpus)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  while (entries_in(corpus).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return process;
 }
 

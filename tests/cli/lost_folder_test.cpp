@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <thread>
 
 #include "process.hpp"
@@ -14,17 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
-
-std::set<std::string> entries_in(const std::string& folder) {
-  std::set<std::string> names;
-  std::error_code vanished;
-  for (fs::directory_iterator it(folder, vanished), end; !vanished && it != end;
-       it.increment(vanished)) {
-    const std::string name = it->path().filename();
-    if (name.ends_with(".json") && !name.starts_with('.')) names.insert(name);
-  }
-  return names;
-}
 
 size_t count_of(const std::string& text, const std::string& part) {
   size_t count = 0;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -97,6 +98,18 @@ inline std::uintmax_t size_or_zero(const std::string& path) {
   std::error_code none;
   const std::uintmax_t size = std::filesystem::file_size(path, none);
   return none ? 0 : size;
+}
+
+/// The complete finds in a folder that may come and go.
+inline std::set<std::string> entries_in(const std::string& folder) {
+  std::set<std::string> names;
+  std::error_code vanished;
+  for (std::filesystem::directory_iterator it(folder, vanished), end; !vanished && it != end;
+       it.increment(vanished)) {
+    const std::string name = it->path().filename();
+    if (name.ends_with(".json") && !name.starts_with('.')) names.insert(name);
+  }
+  return names;
 }
 
 /// What a command leaves that is sent a signal once this file of its has so many bytes.
