@@ -23,16 +23,6 @@ std::string fault(const Trim& trim, const Shape& shape = Shape::tensor(1, 1)) {
 const std::vector<Uv<double>> kOuter = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const std::vector<Uv<double>> kHole = {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}};
 
-TEST(Trim, MayTouchAndBeNested) {
-  EXPECT_EQ(fault({}), "");
-  EXPECT_EQ(fault({kOuter, kHole}), "");
-  EXPECT_EQ(fault({kOuter, kHole, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}}}), "") << "an island";
-  EXPECT_EQ(fault({kOuter, kOuter}), "") << "along all edges";
-  EXPECT_EQ(fault({kHole, {{0.25, 0.5}, {0, 0}, {0, 1}}}), "") << "a vertex on an edge";
-  EXPECT_EQ(fault({kHole, {{0.25, 0.25}, {0, 0}, {0.25, 0}}}), "") << "at vertices";
-  EXPECT_EQ(fault({{{0, 0}, {1, 0}, {0, 1}}}, Shape::triangle(2)), "");
-}
-
 TEST(Trim, IsRefusedNamingTheField) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(fault({kOuter, {{0, 0}, {1, 1}}}), "trim[1]: has 2 vertices, and needs 3");

@@ -27,15 +27,6 @@ double bracket_of(const Truth& truth) {
   return truth.witness->t == 0 ? 0 : Rational(width / truth.witness->t).get_d();
 }
 
-TEST(DecideBodies, ABallAndACornerThatMeetAtAnIrrationalTimeAreEnclosed) {
-  const Query query = {{body(box(1, 1, 1), {0, 0, 0}), body({{4, 3.5, 3.25}}, {-1, -1, -1}, 0.7)},
-                       8};
-  const Truth truth = decide(query).truth;
-  EXPECT_EQ(truth.collides, true);
-  EXPECT_GT(truth.witness->t, *truth.clear_until);
-  EXPECT_LE(bracket_of(truth), 0x1p-40);
-}
-
 TEST(DecideBodies, ABallThatGrazesAnEdgeTouchesIt) {
   // Its centre passes at (5, 5, ·) along z, and the corner (2, 1, 0) is 5 away: exactly, and not.
   const auto passes = [](double radius) {

@@ -130,16 +130,6 @@ TEST(Oracle, BracketsACrossingClosely) {
   EXPECT_GE(brackets, 3);
 }
 
-TEST(Oracle, SaysTheSameAgain) {
-  RandomQueries random(5);
-  for (int i = 0; i < 20; ++i) {
-    const Query query = random.query(3, i % 2 == 0);
-    const Decision first = decide(query), second = decide(query);
-    EXPECT_EQ(first.truth, second.truth) << to_json({query, {}, {}, {}});
-    EXPECT_EQ(first.tree, second.tree) << to_json({query, {}, {}, {}});
-  }
-}
-
 TEST(BuildMissTree, ProvesByOneAxisThatFlatFacesJustMiss) {
   RandomQueries random(1);
   const auto vector = [&] {
