@@ -154,11 +154,7 @@ TEST(Axes, ScaleDoesNotMatter) {
     Query query = random_query(Shape::triangle(2), Shape::triangle(2), 8);
     const std::vector<Axis> reference = axes_of(query);
     for (MovingPatch<double>& patch : query.patches) {
-      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-        for (Vec3<double>& p : *points) {
-          for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], exponent);
-        }
-      }
+      for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, exponent); });
     }
     const std::vector<Axis> scaled = axes_of(query);
     ASSERT_EQ(scaled.size(), reference.size());

@@ -191,13 +191,9 @@ TEST(LawL6, TheLongestNumbersFit) {
     Query query = on_a_grid(random, false, true);
     query.t_max = 1;
     for (MovingPatch<double>& patch : query.patches) {
-      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-        for (Vec3<double>& p : *points) {
-          for (int k = 0; k < 3; ++k) {
-            p[k] *= random.pick(std::array{1.0, 2 - 0x1p-52, 0x1p-253, 3 * 0x1p-253});
-          }
-        }
-      }
+      for_each_coordinate(patch, [&](double& x) {
+        x *= random.pick(std::array{1.0, 2 - 0x1p-52, 0x1p-253, 3 * 0x1p-253});
+      });
     }
     const Kind kind = kind_of(query);
     ASSERT_NE(kind, Kind::kTooWide);

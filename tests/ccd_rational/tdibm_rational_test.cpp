@@ -26,11 +26,7 @@ MovingPatch<double> flat_triangle(double z, const Vec3<double>& v) {
 /// Every length of the query times 2^k. Requires that nothing rounds.
 Query scaled(Query query, int k) {
   for (MovingPatch<double>& patch : query.patches) {
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (Vec3<double>& p : *points) {
-        for (int i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], k);
-      }
-    }
+    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, k); });
   }
   return query;
 }

@@ -82,12 +82,8 @@ Query planted(ContactClass contact, std::uint64_t index) {
 /// A planted contact, every number of which is moved by up to 2^-20.
 Query crossing(ContactClass contact, std::uint64_t index, RandomQueries& random) {
   Query q = planted(contact, index);
-  for (auto& p : q.patches) {
-    for (auto* points : {&p.positions, &p.velocities}) {
-      for (auto& x : *points) {
-        for (int k = 0; k < 3; ++k) x[k] += random.between(-0x1p-20, 0x1p-20);
-      }
-    }
+  for (MovingPatch<double>& patch : q.patches) {
+    for_each_coordinate(patch, [&](double& x) { x += random.between(-0x1p-20, 0x1p-20); });
   }
   q.t_max = 1.5;
   return q;

@@ -106,13 +106,9 @@ std::uint64_t significant_bits(double x) {
 std::uint64_t median_bits(const Query& query) {
   std::vector<std::uint64_t> bits;
   for (const MovingPatch<double>& patch : query.patches) {
-    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (const Vec3<double>& p : *points) {
-        for (const double x : p) {
-          if (x != 0) bits.push_back(significant_bits(x));
-        }
-      }
-    }
+    for_each_coordinate(patch, [&](double x) {
+      if (x != 0) bits.push_back(significant_bits(x));
+    });
   }
   if (bits.empty()) return 0;
   const auto middle = bits.begin() + static_cast<std::ptrdiff_t>(bits.size() / 2);
