@@ -102,18 +102,15 @@ void check_exact_numbers(Draw& d) {
 /// All coordinates times 2^shift, if doubles hold them.
 void scale_if_exact(Query& query, long shift) {
   Query out = query;
+  bool is_exact = true;
   for (MovingPatch<double>& patch : out.patches) {
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (Vec3<double>& p : *points) {
-        for (double& x : p) {
-          const auto scaled = Dyadic::exact(x).scaled(shift).to_double_exactly();
-          if (!scaled) return;
-          x = *scaled;
-        }
-      }
-    }
+    for_each_coordinate(patch, [&](double& x) {
+      const auto scaled = Dyadic::exact(x).scaled(shift).to_double_exactly();
+      is_exact = is_exact && scaled;
+      x = scaled.value_or(x);
+    });
   }
-  query = out;
+  if (is_exact) query = out;
 }
 
 /// A contact, most often among subnormal numbers, or a linear query; then, perhaps, one patch moved

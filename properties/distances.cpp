@@ -78,15 +78,6 @@ void check_proofs_of_touching(Draw& d) {
   CLAIM(!check_clearance(linear, *decision.truth.clearance, ""));
 }
 
-/// What the oracle says of separations, the checker accepts, and it is no miss.
-void check_decision_apart(Draw& d) {
-  const Case drawn = draw_case_apart(d);
-  show(d, "contact", drawn);
-  constexpr std::uint64_t kFewPops = 300;
-  const Case known = decide_briefly(drawn.query, kFewPops);
-  CLAIM(known.truth.collides != false);
-}
-
 /// A hit is at the distance, as far as doubles tell, or with pops as far as cells do.
 void claim_at_distance(const Query& query, double size, Draw& d) {
   const Answer answer = make_method("tdibm-c").value()->answer(query, {});
@@ -141,14 +132,11 @@ std::vector<Property> distances_claims() {
        "Planes and linear decisions, which prove that nothing touches, prove no distance",
        "src/certify/checker/check_plane.hpp", check_proofs_of_touching},
       {"separation.decision_is_proven", "What the oracle says of distances, the checker accepts",
-       "src/certify/oracle/oracle.hpp", check_decision_apart},
+       "src/certify/oracle/oracle.hpp", is_proven_by_the_oracle(draw_case_apart)},
+      {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
+       kCertified, check_linear_apart},
   };
-  add_contact_claims(claims, "tdibm-c", "apart", "at a distance", kCertified, draw_case_apart);
-  claims.push_back({"tdibm-c.linear_apart",
-                    "A hit on a linear query is at that distance, and a miss is none", kCertified,
-                    check_linear_apart});
-  add_contact_claims(claims, "tdibm-rational", "apart", "at a distance", kRational,
-                     draw_case_apart);
+  add_contact_claims(claims, "apart", "at a distance", {kCertified, kRational}, draw_case_apart);
   return claims;
 }
 

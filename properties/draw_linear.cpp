@@ -152,13 +152,9 @@ Result<Query> draw_linear(Draw& choices) {
   }
   if (choices.coin()) {
     for (MovingPatch<double>& patch : query.patches) {
-      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-        for (Vec3<double>& p : *points) {
-          for (int k = 0; k < 3; ++k) {
-            if (choices.choose(7) == 7) p[k] = choices.nudged(p[k], 1);
-          }
-        }
-      }
+      for_each_coordinate(patch, [&](double& x) {
+        if (choices.choose(7) == 7) x = choices.nudged(x, 1);
+      });
     }
   }
   const double t_contact = *t.to_double_exactly();

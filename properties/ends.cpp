@@ -9,7 +9,6 @@
 #include "files/case_json.hpp"
 #include "fuzz/mutator/exact_moves.hpp"
 #include "method/method.hpp"
-#include "properties/against_oracle.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 
@@ -51,10 +50,6 @@ Vec3<Rational> between(const MovingPatch<double>& patch, const Uv<Rational>& uv,
   return out;
 }
 
-Case draw_elsewhere(Draw& d) {
-  return draw_contact_with_ends(d, kElsewhere);
-}
-
 void check_meaning(Draw& d) {
   const Case drawn = draw_contact_with_ends(d, kOrdinaryRange);
   show(d, "contact", drawn);
@@ -65,15 +60,6 @@ void check_meaning(Draw& d) {
   CLAIM(check_truth(drawn).has_value());
   const auto read = parse_case(to_json(drawn, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == drawn.query);
-}
-
-/// The checker accepts what the oracle says, or this throws.
-void check_decision_on_ends(Draw& d) {
-  const Case drawn = draw_contact_with_ends(d, kOrdinaryRange);
-  show(d, "contact", drawn);
-  constexpr std::uint64_t kFewPops = 300;
-  const Case known = decide_briefly(drawn.query, kFewPops);
-  CLAIM(known.truth.collides != false);
 }
 
 /// Velocities are the differences of ends and positions, exactly.
@@ -155,11 +141,11 @@ std::vector<Property> ends_claims() {
        "them",
        "src/method/taken_query.hpp", check_refusal},
       {"ends.decision_is_proven", "What the oracle says of ends, the checker accepts",
-       "src/certify/oracle/oracle.hpp", check_decision_on_ends},
+       "src/certify/oracle/oracle.hpp",
+       is_proven_by_the_oracle([](Draw& d) { return draw_contact_with_ends(d, kOrdinaryRange); })},
   };
-  add_contact_claims(claims, "tdibm-c", "ends", "of patches with ends", kCertified, draw_elsewhere);
-  add_contact_claims(claims, "tdibm-rational", "ends", "of patches with ends", kRational,
-                     draw_elsewhere);
+  add_contact_claims(claims, "ends", "of patches with ends", {kCertified, kRational},
+                     [](Draw& d) { return draw_contact_with_ends(d, kElsewhere); });
   return claims;
 }
 

@@ -41,10 +41,8 @@ std::vector<Property> families_claims() {
       {"generator.not_plain", "Cases of weights, loops, ends and separations are what they say",
        "generators/generate.hpp", check_truths},
   };
-  constexpr auto kKind = "not_plain", kOf = "of weights, loops, ends and separations";
-  add_contact_claims(claims, "tdibm-c", kKind, kOf, "src/ccd/certified/DERIVATION.md",
-                     draw_not_plain_contact);
-  add_contact_claims(claims, "tdibm-rational", kKind, kOf, "src/ccd/rational/DERIVATION.md",
+  add_contact_claims(claims, "not_plain", "of weights, loops, ends and separations",
+                     {"src/ccd/certified/DERIVATION.md", "src/ccd/rational/DERIVATION.md"},
                      draw_not_plain_contact);
   return claims;
 }

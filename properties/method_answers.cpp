@@ -98,11 +98,7 @@ void check_agree_anywhere(Draw& d) {
   // Numbers of one size touch more often than those of any.
   if (d.coin()) {
     for (MovingPatch<double>& patch : query.patches) {
-      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-        for (Vec3<double>& p : *points) {
-          for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(d.integer(-4, 4));
-        }
-      }
+      for_each_coordinate(patch, [&](double& x) { x = static_cast<double>(d.integer(-4, 4)); });
     }
     query.t_max = static_cast<double>(d.integer(0, 4));
     // Their first corners meet, at a time of which they need not say so.

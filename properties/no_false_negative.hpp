@@ -46,11 +46,14 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw);
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
 std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw);
 
-/// Appends both claims of a method about contacts that are drawn so:
+/// The oracle finds no proof that there is no contact, and the checker accepts what it finds.
+std::function<void(Draw&)> is_proven_by_the_oracle(DrawCase draw);
+
+/// Appends two claims each of tdibm-c and tdibm-rational about contacts that are drawn so:
 /// "METHOD.no_false_negative_KIND" and "METHOD.trace_KIND". of: what their sentences say after
-/// "contact", such as "of rational patches".
-void add_contact_claims(std::vector<Property>& claims, const std::string& method,
-                        const std::string& kind, const std::string& of, const std::string& source,
+/// "contact", such as "of rational patches". sources: of either method.
+void add_contact_claims(std::vector<Property>& claims, const std::string& kind,
+                        const std::string& of, const std::array<std::string, 2>& sources,
                         const DrawCase& draw);
 
 }  // namespace ccdfuzz

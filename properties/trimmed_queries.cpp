@@ -275,9 +275,7 @@ std::vector<Property> trimmed_queries_claims() {
       {"mutator.keeps_trims", "Changed loops are valid, and the contact is in their region",
        "fuzz/mutator/trim_moves.hpp", check_trim_moves},
   };
-  add_contact_claims(claims, "tdibm-c", "trimmed", "of trimmed patches", kCertified,
-                     draw_trimmed_contact);
-  add_contact_claims(claims, "tdibm-rational", "trimmed", "of trimmed patches", kRational,
+  add_contact_claims(claims, "trimmed", "of trimmed patches", {kCertified, kRational},
                      draw_trimmed_contact);
   return claims;
 }

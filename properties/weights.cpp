@@ -358,9 +358,7 @@ std::vector<Property> weights_claims() {
        "Control points of cells of rational patches are off by the roundings counted at most",
        kCertified, check_cells},
   };
-  add_contact_claims(claims, "tdibm-c", "weighted", "of rational patches", kCertified,
-                     draw_weighted_case);
-  add_contact_claims(claims, "tdibm-rational", "weighted", "of rational patches", kRational,
+  add_contact_claims(claims, "weighted", "of rational patches", {kCertified, kRational},
                      draw_weighted_case);
   return claims;
 }
