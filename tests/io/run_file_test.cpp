@@ -82,6 +82,7 @@ TEST_F(RunFileTest, GoesOnAfterTheLastWholeLineWhereverItWasCutOff) {
       before = left;
       EXPECT_EQ(lines_of(path_), std::vector(lines_.begin(), lines_.begin() + left));
       for (size_t i = left; i < lines_.size(); ++i) ASSERT_TRUE(file.append(lines_[i]));
+      EXPECT_EQ(file.size(), lines_.size());
     }
     EXPECT_EQ(read_text(path_), whole) << "cut to " << length;
   }
