@@ -23,12 +23,6 @@ TEST(Registry, EveryPropertyIsNamedOnceAndSaysWhatItClaims) {
   EXPECT_FALSE(names.empty());
 }
 
-TEST(Registry, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
-  const auto unknown = property_named("dyadic");
-  ASSERT_FALSE(unknown);
-  EXPECT_NE(unknown.error().message().find("dyadic.round_trip"), std::string::npos);
-}
-
 TEST(Registry, TheSameChoicesGiveTheSameResult) {
   for (const Property& p : properties()) {
     Draw first = Draw::mostly_small(Random(7)), second = first;
@@ -44,15 +38,6 @@ TEST(Suites, EachHasAClaimThatItsFuzzTargetCanRefute) {
     EXPECT_FALSE(suite.thought_to_hold().empty()) << suite.name;
     EXPECT_TRUE(!suite.is_of_bytes || suite.claims.size() == 1) << suite.name;
   }
-}
-
-TEST(Suites, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
-  const auto unknown = suite_named("quarry");
-  ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().message().find(
-                "no target \"quarry\"; there are: any_bits, any_environment, arithmetic, bodies, "),
-            0U)
-      << unknown.error().message();
 }
 
 TEST(ClaimInput, NamesItsClaimAndComesBackFromItsBytes) {
