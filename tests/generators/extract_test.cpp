@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "bezier/restrict.hpp"
@@ -32,18 +31,6 @@ TEST(Extract, CornersAreOnTheGridAndInTheParent) {
         EXPECT_GE(c.sign(), 0) << c;
         EXPECT_GE(c.exponent(), c.sign() == 0 ? 0 : -kGridBits) << c;
       }
-    }
-  });
-}
-
-// An edge of the part is part of the parent's edge: else the contact would be inside the parent.
-TEST(Extract, AnEdgeOfThePartIsPartOfTheEdgeOfTheParent) {
-  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Draw&) {
-    if (feature != Feature::kEdge) return;
-    const size_t opposite = std::find(x.begin(), x.end(), Dyadic()) - x.begin();
-    for (size_t a = 0; a < 3; ++a) {
-      if (part.x[a].sign() == 0) continue;
-      EXPECT_EQ(part.corners[a][opposite], Dyadic());
     }
   });
 }
