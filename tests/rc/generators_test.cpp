@@ -126,26 +126,14 @@ std::string refusal_of(const ContactRange& range, const Domain& promised = {}) {
 }
 
 TEST(RcGenerators, RefuseRangesWithoutContacts) {
-  const auto refuses = [](auto change) {
-    ContactRange range;
-    change(range);
-    return refusal_of(range);
-  };
-  EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 0; }),
-            "gen::contact: max_degree: 0 is not in [1, 8]");
-  EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 9; }),
-            "gen::contact: max_degree: 9 is not in [1, 8]");
-  EXPECT_EQ(refuses([](ContactRange& r) { r.coordinate_bits = 41; }),
+  EXPECT_EQ(refusal_of({.max_degree = 0}), "gen::contact: max_degree: 0 is not in [1, 8]");
+  EXPECT_EQ(refusal_of({.max_degree = 9}), "gen::contact: max_degree: 9 is not in [1, 8]");
+  EXPECT_EQ(refusal_of({.coordinate_bits = 41}),
             "gen::contact: coordinate_bits: 41 is not in [0, 40]");
-  EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = 41; }),
-            "gen::contact: highest: 40 is not in [41, 1000]");
-  EXPECT_EQ(refuses([](ContactRange& r) { r.highest = 3000; }),
-            "gen::contact: highest: 3000 is not in [-40, 1000]");
-  EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = -3000; }),
-            "gen::contact: lowest: -3000 is not in [-1000, 1000]");
-  EXPECT_EQ(refuses([](ContactRange& r) {
-              r.shapes = {Shape::hull(4), Shape::point()};
-            }),
+  EXPECT_EQ(refusal_of({.lowest = 41}), "gen::contact: highest: 40 is not in [41, 1000]");
+  EXPECT_EQ(refusal_of({.highest = 3000}), "gen::contact: highest: 3000 is not in [-40, 1000]");
+  EXPECT_EQ(refusal_of({.lowest = -3000}), "gen::contact: lowest: -3000 is not in [-1000, 1000]");
+  EXPECT_EQ(refusal_of({.shapes = {{Shape::hull(4), Shape::point()}}}),
             "gen::contact: shapes: hull(4) is no patch of degrees from 1 to 8");
 }
 
@@ -164,10 +152,8 @@ TEST(RcGenerators, MakeContactsAtTheEndsOfTheRange) {
 }
 
 TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
-  ContactRange far;
-  far.lowest = far.highest = 30;
   Domain promised = mesh_code();
-  EXPECT_EQ(refusal_of(far, promised),
+  EXPECT_EQ(refusal_of({.lowest = 30, .highest = 30}, promised),
             "gen::contact: none of 2000 contacts of this range keeps to: within 2^±7, ordinary "
             "queries alone");
   promised.scale = 0;
