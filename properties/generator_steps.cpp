@@ -1,5 +1,4 @@
 #include "bezier/blossom.hpp"
-#include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
@@ -7,7 +6,6 @@
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/extract.hpp"
-#include "generators/finalize.hpp"
 #include "generators/generate.hpp"
 #include "generators/grazing.hpp"
 #include "generators/motion.hpp"
@@ -219,16 +217,6 @@ std::vector<Property> generator_steps_claims() {
        }},
       {"generator.motion", "Patches in motion are in place at t*, each coming from its side",
        "Section 5.1, Step IV, Section 5.2", check_motion},
-      {"generator.first_contact", "The moving plane of a one-sided scene proves its first contact",
-       "generators/shaped/families.hpp",
-       [](Draw& d) {
-         const ContactClass contact = d.pick(kContactClasses);
-         const ContactScene scene = touching(contact, {kQuadratic, kQuadratic}, d);
-         const Case made = supposed(to_case(scene, random_placement(d), d));
-         show(d, "case", made);
-         CLAIM(check_witness(made.query, *made.truth.witness).has_value());
-         CLAIM(check_plane(made.query, std::get<MovingPlane>(*made.truth.clearance)).has_value());
-       }},
       {"generator.grazing",
        "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",
        "Section 5.2", check_grazing},

@@ -6,7 +6,6 @@
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
 #include "generators/draw_patch.hpp"
-#include "numeric/products.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -33,41 +32,15 @@ DrawnPatch draw_patch(Draw& d, int max_degree = kGeometryDegree) {
   return drawn;
 }
 
-/// On any axis its height is between the least and the greatest of theirs.
-void check_convex_hull(Draw& d) {
-  const DrawnPatch drawn = draw_patch(d);
-  const Vec3<Dyadic> axis{d.dyadic(6, 0), d.dyadic(6, 0), d.dyadic(6, 0)};
-  const Dyadic height = dot(axis, evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv));
-  Dyadic least = dot(axis, drawn.points[0]), most = least;
-  for (const Vec3<Dyadic>& p : drawn.points) {
-    const Dyadic h = dot(axis, p);
-    if (h < least) least = h;
-    if (most < h) most = h;
-  }
-  show(d, "axis", axis);
-  CLAIM(least <= height);
-  CLAIM(height <= most);
-}
-
-/// Since the Bernstein weights sum to 1.
-void check_partition_of_unity(Draw& d) {
-  const DrawnPatch drawn = draw_patch(d);
-  const Vec3<Dyadic> shift{d.dyadic(8, -2), d.dyadic(8, -2), d.dyadic(8, -2)};
-  Points<Dyadic> moved = drawn.points;
-  for (Vec3<Dyadic>& p : moved) p += shift;
-  const Vec3<Dyadic> before = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
-  const Vec3<Dyadic> after = evaluate<Dyadic>(drawn.shape, moved, drawn.uv);
-  show(d, "shift", shift);
-  CLAIM(after == Vec3<Dyadic>(before + shift));
-}
-
-/// By the definition of the weights, which blossoms are not computed by.
+/// By the definition of the weights, which blossoms are not computed by. It follows that a patch
+/// lies in the convex hull of its control points, and moves as they do.
 void check_bernstein_sum(Draw& d) {
   const DrawnPatch drawn = draw_patch(d, kMaxDegree);
   const std::vector<Dyadic> weights = bernstein_weights(drawn.shape, drawn.uv);
   Dyadic total;
   Vec3<Dyadic> sum;
   for (std::size_t i = 0; i < weights.size(); ++i) {
+    CLAIM(weights[i].sign() >= 0);
     total += weights[i];
     sum += drawn.points[i] * weights[i];
   }
@@ -213,13 +186,9 @@ void check_sub_patch(Draw& d) {
 
 std::vector<Property> geometry_claims() {
   return {
-      {"patch.convex_hull", "A patch lies in the convex hull of its control points",
-       "Section 4.6, Assumptions", check_convex_hull},
-      {"patch.partition_of_unity", "Moving all control points alike moves the patch so", "Eq. 2",
-       check_partition_of_unity},
       {"patch.bernstein_sum",
-       "A patch is the sum of its control points by Bernstein weights, which sum to 1", "Eq. 2",
-       check_bernstein_sum},
+       "A patch is the sum of its control points by Bernstein weights, which are >= 0 and sum to 1",
+       "Eq. 2; Section 4.6, Assumptions", check_bernstein_sum},
       {"patch.blossom_affine", "The blossom is affine in each of its arguments", "Appendix A (b)",
        check_blossom_affine},
       {"patch.blossom_symmetry", "The blossom does not depend on the order of its arguments",
