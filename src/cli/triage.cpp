@@ -251,7 +251,11 @@ class TriageRun {
       ++tally.known;
       return true;
     }
-    const auto least = served.least(property, run, {kShrinkTries, [this] { return is_over(); }});
+    // A hang was put to these choices already, and another run costs all its time again.
+    const auto least =
+        run.error == "hang"
+            ? Counterexample{input.choices, run.check, 0, true}
+            : served.least(property, run, {kShrinkTries, [this] { return is_over(); }});
     if (least) find.set_least(*least);
     const SavedFind saved = need(save_find(claims_in(arguments_.output), find));
     if (!saved.is_new) {
