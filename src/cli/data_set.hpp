@@ -28,9 +28,13 @@ class DataSetWriter {
     return cases_.write(value);
   }
 
+  /// As CaseWriter::complete.
+  Result<void> complete() { return cases_.complete(); }
   /// Must come last; until then neither file is there.
   Result<void> finish() {
-    return trees_.finish().and_then([this] { return cases_.finish(); });
+    return complete().and_then([this] { return trees_.finish(); }).and_then([this] {
+      return cases_.finish();
+    });
   }
 
  private:

@@ -38,7 +38,9 @@ Result<void> MadeSet::add(MadeCases made) {
 
 Result<void> MadeSet::finish() {
   if (!writer_) return flush_stdout();
-  return write_costs(path_, costs_).and_then([&] { return writer_->finish(); });
+  return writer_->complete().and_then([&] { return write_costs(path_, costs_); }).and_then([&] {
+    return writer_->finish();
+  });
 }
 
 }  // namespace ccdfuzz

@@ -211,9 +211,10 @@ struct CaseWriter::State {
   std::string path;
   CaseFileKind kind;
   OutputFile file;
-  std::string pending;
+  std::string pending = {};
   size_t written = 0;
-  std::unique_ptr<ZSTD_CCtx, FreeContext> zstd;
+  std::unique_ptr<ZSTD_CCtx, FreeContext> zstd = {};
+  bool is_complete = false;
 
   /// Hands the pending text on, compressed where that is asked for.
   Result<void> flush(bool last) {
@@ -245,7 +246,7 @@ CaseWriter::~CaseWriter() = default;
 Result<CaseWriter> CaseWriter::open(const std::string& path) {
   CCDFUZZ_TRY(const auto kind, case_file_kind(path));
   CCDFUZZ_TRY(auto file, OutputFile::create(path));
-  auto state = std::make_unique<State>(State{path, kind, std::move(file), {}, 0, {}});
+  auto state = std::make_unique<State>(State{path, kind, std::move(file)});
   if (kind == CaseFileKind::kJsonLinesZstd) {
     state->zstd.reset(ZSTD_createCCtx());
     CCDFUZZ_VERIFY(state->zstd != nullptr);
@@ -266,13 +267,16 @@ Result<void> CaseWriter::write(const Case& value) {
   return s.pending.size() < kPiece ? Result<void>() : s.flush(false);
 }
 
-Result<void> CaseWriter::finish() {
+Result<void> CaseWriter::complete() {
   State& s = *state_;
   if (s.kind == CaseFileKind::kJson && s.written == 0) {
     return input_error(s.path, "no case to write");
   }
-  CCDFUZZ_TRY_VOID(s.flush(true));
-  return s.file.commit();
+  return std::exchange(s.is_complete, true) ? Result<void>() : s.flush(true);
+}
+
+Result<void> CaseWriter::finish() {
+  return complete().and_then([this] { return state_->file.commit(); });
 }
 
 }  // namespace ccdfuzz

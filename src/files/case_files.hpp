@@ -102,6 +102,8 @@ class CaseWriter {
   ~CaseWriter();
 
   Result<void> write(const Case& value);
+  /// Writes all but the name, so that files beside it may appear first. Nothing is written after.
+  Result<void> complete();
   /// Must come last.
   Result<void> finish();
 

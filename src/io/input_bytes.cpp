@@ -102,11 +102,7 @@ std::optional<CaseFileKind> case_file_kind_by_name(const std::string& path) {
 
 Result<CaseFileKind> case_file_kind(const std::string& path) {
   if (const auto kind = case_file_kind_by_name(path)) return *kind;
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
-    return CaseFileKind::kJsonLines;
-  }
+  if (is_stream(path)) return CaseFileKind::kJsonLines;
   return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst");
 }
 

@@ -16,7 +16,7 @@ enum class CaseFileKind { kJson, kJsonLines, kJsonLinesZstd };
 
 /// What the ending of a path says; nullopt for one other than .json, .jsonl and .jsonl.zst.
 std::optional<CaseFileKind> case_file_kind_by_name(const std::string& path);
-/// The kind of a path. Devices and pipes of any name (/dev/stdin) hold lines.
+/// The kind of a path. A stream (is_stream) of any name holds lines.
 /// Errors: an ending other than .json, .jsonl and .jsonl.zst, naming the path.
 Result<CaseFileKind> case_file_kind(const std::string& path);
 
