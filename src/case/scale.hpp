@@ -21,6 +21,18 @@ inline double largest_coordinate(const Query& query) {
                   largest_coordinate(query.patches[1].positions));
 }
 
+/// The same at 0 and at t_max; ignores turns.
+inline double largest_coordinate_at_ends(const Query& query) {
+  double largest = largest_coordinate(query);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      const Vec3<double> moved = patch.positions[i] + query.t_max * rounded_velocity(patch, i);
+      largest = std::max(largest, moved.cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
+}
+
 /// True iff good(x) for each number x of a query.
 template <class Good>
 bool are_all(const Query& query, const Good& good) {

@@ -252,11 +252,7 @@ std::string excuse_text(const Case& value, const Rational& contact) {
     squared = nearer * nearer / dot(normal, normal);
     since = apart->until;
   }
-  double largest = 0;
-  for (const MovingPatch<double>& patch : query.patches) {
-    largest = std::max(
-        {largest, largest_coordinate(patch.positions), largest_coordinate(patch.at(query.t_max))});
-  }
+  const double largest = largest_coordinate_at_ends(query);
   const double infinity = std::numeric_limits<double>::infinity();
   const double speed = std::nextafter(std::sqrt(round_up(squared)), infinity);
   if (!(speed < infinity && largest < infinity)) return out;

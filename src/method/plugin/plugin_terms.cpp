@@ -3,27 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "case/scale.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// The largest coordinate of a control point at t = 0 and t_max, in absolute value.
-double extent(const Query& query) {
-  double largest = 0;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      const Vec3<double> velocity = rounded_velocity(patch, i);
-      for (int k = 0; k < 3; ++k) {
-        const double p = patch.positions[i][k];
-        largest = std::max({largest, std::abs(p), std::abs(p + query.t_max * velocity[k])});
-      }
-    }
-  }
-  return largest;
-}
 
 /// A tolerance in a larger unit: of none, none; of what overflows, the largest.
 double scaled(double tolerance, double unit) {
@@ -46,7 +32,7 @@ AnswerTerms terms_of(const PluginDescription& claims, const PluginAnswer& given,
     tolerance = scaled(tolerance, query.t_max);
   }
   if (claims.tolerance_kind == ToleranceKind::kSpaceRelative) {
-    tolerance = scaled(tolerance, extent(query));
+    tolerance = scaled(tolerance, largest_coordinate_at_ends(query));
   }
   terms.space_tolerance = std::min(claims.minimum_separation + (in_space ? tolerance : 0),
                                    std::numeric_limits<double>::max());
