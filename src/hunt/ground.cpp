@@ -142,9 +142,9 @@ Case HuntGround::fitted(Case value) const {
     constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
     if (binary32) x = nearest_float(std::clamp(x, -kMost, kMost));
   };
+  for_each_number(query, fit);
   for (MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, fit);
-    for_each_turn_number(patch, fit);
+    if (std::ranges::count(patch.weights, 0) > 0) patch.weights.clear();
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
       for (Vec3<double>& v : *points) v[2] = plane && are_bodies ? 0 : v[2];
     }
@@ -152,8 +152,6 @@ Case HuntGround::fitted(Case value) const {
     if (patch.turn && plane && patch.turn->is_spin()) patch.turn->spin[0] = patch.turn->spin[1] = 0;
     if (patch.turn && fault_of(*patch.turn)) patch.turn.reset();  // what is left of it is none
   }
-  fit(query.t_max);
-  fit(query.separation);
   if (query == before) return value;
   if (!are_bodies) {
     // A planted contact comes at t_max; it may come a little later now.

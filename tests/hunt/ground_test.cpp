@@ -132,6 +132,13 @@ TEST(Ground, FloatsHaveATruthOfTheirOwn) {
   EXPECT_TRUE(ground.has(fitted));
   EXPECT_EQ(fitted.query.patches[1].positions[2][2], 0);
   EXPECT_EQ(fitted.truth.witness->t, exact(static_cast<double>(0.1F)));
+  known.query.patches[1].weights = {1, 0.1, 1};
+  const Case weighted = ground.fitted(known);
+  EXPECT_TRUE(ground.has(weighted));
+  EXPECT_EQ(weighted.query.patches[1].weights[1], 0.1F);
+  EXPECT_TRUE(check_case(weighted, ""));
+  known.query.patches[1].weights = {1, 0x1p-40, 1};
+  EXPECT_EQ(ground.fitted(known), fitted) << "a weight that is 0 is none";
   known.query.t_max = 0;
   known.query.patches[0].shape = Shape::curve(2);
   EXPECT_EQ(ground.fitted(known), known) << "of curves the truth may be unknown";
