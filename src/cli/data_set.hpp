@@ -18,8 +18,9 @@ class DataSetWriter {
   }
 
   /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is
-  /// filled in here.
+  /// filled in here. A stream has no place for it (drop_tree).
   Result<void> write(Case value, const std::string& tree) {
+    if (is_streamed_) drop_tree(value.truth);
     if (value.truth.clearance) {
       if (auto* of_tree = std::get_if<MissTree>(&*value.truth.clearance)) {
         CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
@@ -39,10 +40,11 @@ class DataSetWriter {
 
  private:
   DataSetWriter(CaseWriter cases, const std::string& path)
-      : cases_(std::move(cases)), trees_(path) {}
+      : cases_(std::move(cases)), trees_(path), is_streamed_(is_stream(path)) {}
 
   CaseWriter cases_;
   TreeWriter trees_;
+  bool is_streamed_;
 };
 
 }  // namespace ccdfuzz
