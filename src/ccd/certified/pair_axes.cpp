@@ -23,7 +23,7 @@ CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double wa
       }) {}
 
 CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first)
-    : a_(a), b_(b) {
+    : a_(a), b_(b), first_(first) {
   if (first != Axis{}) add(first);
   if (a.has_normal) add(a.normal);
   if (b.has_normal) add(b.normal);
@@ -45,7 +45,7 @@ void CandidateAxes::add_rest() {
   }
   if (a_.has_normal && b_.has_normal) return;
   const Axis offset = minus(a_.middle, b_.middle);
-  add(offset);
+  if (offset != first_) add(offset);
   for (const CornerFrame* s : {&a_, &b_}) {
     for (int i = 0; i < s->edge_count; ++i) add(cross(s->edges[i], cross(offset, s->edges[i])));
   }

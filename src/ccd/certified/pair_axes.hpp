@@ -104,6 +104,7 @@ class CandidateAxes {
 
   std::array<AxisBatch, (kMost + kLanes - 1) / kLanes> batches_{};
   const CornerFrame &a_, &b_;
+  const Axis first_;
   int count_ = 0;
   bool complete_ = false;
 };
