@@ -110,6 +110,20 @@ TEST(CheckTrim, ALeafMaySayThatAPartIsOutside) {
   EXPECT_EQ(tree_says(trimmed(hole).query, Rational(3, 8), deep), "accepted");
 }
 
+// Means of three corners, of two coordinates each, at three corners of four parts: otherwise a file
+// of 4 MiB takes half a minute.
+TEST(CheckTrim, TheCornersOfPartsAreCountedAsWork) {
+  const auto work_of = [](const Trim& trim) {
+    TreeBits bits;
+    bits.split(0);
+    for (int c = 0; c < 4; ++c) bits.leaf({0, 0, 1});
+    const std::uint64_t before = work_done_here();
+    EXPECT_EQ(tree_says(trimmed(trim).query, Rational(3, 8), bits), "accepted");
+    return work_done_here() - before;
+  };
+  EXPECT_GE(work_of({{{0, 0}, {1, 0}, {0, 1}}}), work_of({}) + 4 * 3 * 2 * 3 * 64);
+}
+
 TEST(CheckTrim, WhatHoldsOfTheWholePatchHoldsOfTheTrimmed) {
   const Case c = trimmed({{{0.5, 0}, {1, 0}, {0.5, 0.5}}});
   EXPECT_TRUE(check_clearance(c.query, rising_plane(), ""));

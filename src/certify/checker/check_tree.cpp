@@ -31,7 +31,7 @@ struct Part {
 /// in pre-order needs. It stays until another part of its parent's depth is split.
 class Parts {
  public:
-  Parts(Work& work, bool rational) : polar_(&work, rational) {}
+  Parts(Work& work, bool rational) : work_(work), polar_(&work, rational) {}
 
   void load(const MovingPatch<double>& patch, MovingNet<Integer> net) {
     shape_ = patch.shape;
@@ -91,7 +91,10 @@ class Parts {
                                               ? corner(c, static_cast<int>(i))
                                               : end((c >> k & 1) != 0, i == 1);
         Rational sum = 0;
-        for (size_t j = 0; j < parent.size(); ++j) sum += weights[j] * parent[j][k];
+        for (size_t j = 0; j < parent.size(); ++j) {
+          work_.charge(2 * product_work(parent[j][k], sum));
+          sum += weights[j] * parent[j][k];
+        }
         out[i][k] = sum / 2;
       }
     }
@@ -131,6 +134,7 @@ class Parts {
     }
   }
 
+  Work& work_;
   Shape shape_;
   MovingNet<Integer> root_;
   Corners root_corners_;  ///< none: the patch is whole
