@@ -85,9 +85,12 @@ rc::Gen<ChoiceNumbers> choices() {
 
 rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
   demand(validate(range), "gen::contact");
-  if (promised.scale && *promised.scale < 1) {
-    throw std::invalid_argument(
-        fmt::format("gen::contact: scale: {} is not at least 1", *promised.scale));
+  const bool of_any_shapes = promised.pairs.empty() && !range.shapes;
+  const int least_scale = of_any_shapes ? kLeastScaleOfAnyShapes : 1;
+  if (promised.scale && *promised.scale < least_scale) {
+    throw std::invalid_argument(fmt::format("gen::contact: scale: {} is not at least {}{}",
+                                            *promised.scale, least_scale,
+                                            of_any_shapes ? " for patches of any shapes" : ""));
   }
   if (range.shapes && !promised.pairs.empty()) {
     throw std::invalid_argument(

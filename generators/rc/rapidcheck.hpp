@@ -38,9 +38,11 @@ namespace gen {
 /// Two patches that touch: draw_contact. promised: the queries that the code promises to answer,
 /// of which alone contacts are drawn and shrunk. Its pairs, if any, are the shapes, in this order.
 /// Errors: throws std::invalid_argument if validate refuses the range, if both have shapes, and for
-/// a promised scale below 1. The generator does so if kMostRefused contacts in a row are not
-/// promised.
+/// a promised scale below 1. So it does for one below kLeastScaleOfAnyShapes where neither has
+/// shapes, since contacts with many control points hardly keep to it. The generator does so if
+/// kMostRefused contacts in a row are not promised.
 inline constexpr int kMostRefused = 2000;
+inline constexpr int kLeastScaleOfAnyShapes = 4;
 rc::Gen<Contact> contact(const ContactRange& range = {}, const Domain& promised = {});
 
 /// A case of the inverse construction, Steps I–VI, and its truth. The seed of the options is not

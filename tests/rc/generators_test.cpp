@@ -158,6 +158,12 @@ TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
             "queries alone");
   promised.scale = 0;
   EXPECT_EQ(refusal_of({}, promised), "gen::contact: scale: 0 is not at least 1");
+  Domain narrow;
+  narrow.scale = 3;
+  EXPECT_EQ(refusal_of({}, narrow),
+            "gen::contact: scale: 3 is not at least 4 for patches of any shapes");
+  narrow.pairs = linear_pairs();
+  EXPECT_EQ(refusal_of({}, narrow), "");
   promised.scale.reset();
   EXPECT_EQ(refusal_of({.shapes = {{Shape::point(), Shape::point()}}}, promised),
             "gen::contact: shapes: are given, and so are pairs that are promised");
