@@ -233,8 +233,9 @@ std::vector<Find> Intake::finds() const {
   const std::lock_guard lock(mutex_);
   std::vector<Find> finds;
   for (const auto& [failure, kept] : kept_) {
-    Find find{failure, kept.stored ? store_.path_of(failure) : "", kept.find,
-              kept.is_new || !kept.stored, kept.depth, kept.is_alone};
+    Find find{failure,    kept.stored ? store_.path_of(failure) : "",
+              kept.find,  kept.is_new || !kept.stored,
+              kept.depth, kept.is_alone};
     if (!find.is_new) {
       if (const auto entry = store_.standing(failure); entry && *entry) {
         find.path = (*entry)->id;
