@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "process.hpp"
@@ -46,7 +47,9 @@ TEST(Check, ChecksEveryListedPropertyWhenLimitedByTime) {
 }
 
 TEST(Check, EveryClaimThatIsKnownToBeFalseHasItsCounterexample) {
-  const Finished replayed = succeeded(ccdfuzz({"replay", CCDFUZZ_SOURCE_DIR "/corpus", "--json"}));
+  const ScratchFolder folder;  // a corpus of claims alone: the cases take minutes under sanitizers
+  std::filesystem::copy(CCDFUZZ_SOURCE_DIR "/corpus/claims", folder / "claims");
+  const Finished replayed = succeeded(ccdfuzz({"replay", folder / "", "--json"}));
   std::set<std::string> refuted;
   for (const auto& row : json_lines(replayed.out)) {
     if (row.contains("claim") && row.at("got") == "fails") refuted.insert(row.at("property"));

@@ -84,7 +84,7 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
 TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"hunt", "--corpus", folder / "finds", "--cases", "300", "--within", "7", "--methods",
+      ccdfuzz({"hunt", "--corpus", folder / "finds", "--cases", "60", "--within", "7", "--methods",
                std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN, "--json"});
   int numbers = 0;
   for (const auto& row : json_lines(finished.out)) {
