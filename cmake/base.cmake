@@ -56,6 +56,19 @@ include(cmake/fp_rules.cmake)
 # sanitizers in a third.
 set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)
 
+# By itself GCC collects garbage from 128 MB on, which takes a twelfth of the time.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(--param=ggc-min-heapsize=524288)  # in kB
+endif()
+
+# ccdfuzz_hot_first(TARGET): of an inline function that several rooms compile, the linker takes the first. So the rooms
+# that take the time come before all others, however those are compiled.
+function(ccdfuzz_hot_first target)
+  set(hot numeric bezier case linear checker oracle ccd ccd_certified ccd_rational ccd_witness_trace draw generators)
+  list(TRANSFORM hot REPLACE "(.+)" "$<TARGET_FILE:ccdfuzz_\\1>")
+  target_link_options(${target} PRIVATE LINKER:--whole-archive ${hot} LINKER:--no-whole-archive)
+endfunction()
+
 # ccdfuzz_room(NAME LINES N DEPENDS ...): this folder is a room, ccdfuzz::NAME. Its files include its own
 # headers, those of the rooms that DEPENDS names, and what these may include. LINES is its budget: it holds no
 # more lines of C++. Of each room a line, "FOLDER NAME N DEPENDS ...", goes into rooms.txt of the build, from
@@ -69,13 +82,12 @@ function(ccdfuzz_room name)
 endfunction()
 file(WRITE ${PROJECT_BINARY_DIR}/rooms.txt "")
 
-# ccdfuzz_library(NAME [QUICK] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
-# of the design are also the links of the build. QUICK: to compile, no fuzz target runs it, and it
-# instantiates nothing of the methods' templates (the linker takes an inline function from whoever came
-# first, and that is who stands above).
+# ccdfuzz_library(NAME [QUICK|COLD] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
+# of the design are also the links of the build. QUICK: to compile, and no fuzz target runs it. COLD: it calls what takes
+# time; a release optimises it little.
 # APART: it needs a package that users may lack, and is installed as a component of its own.
 function(ccdfuzz_library name)
-  cmake_parse_arguments(ARG "QUICK;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;COLD;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})
   ccdfuzz_room(${name} LINES ${ARG_LINES} DEPENDS ${ARG_DEPENDS})
   if(ARG_SOURCES)
     add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
@@ -86,11 +98,15 @@ function(ccdfuzz_library name)
     else()
       target_compile_options(ccdfuzz_${name} PRIVATE ${ccdfuzz_guidance})
     endif()
+    if(ARG_COLD)
+      target_compile_options(ccdfuzz_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
     # (Compilers take them with the same instruments, clang at any level of optimisation but none. GCC
-    # compiles at that which they were read at, so all rooms that share them have one.)
+    # compiles at that which they were read at.)
     if(name STREQUAL "numeric")
       target_precompile_headers(ccdfuzz_numeric PRIVATE ${ccdfuzz_read_once})
-    elseif(NOT ARG_QUICK AND NOT name MATCHES "^(base|io)$")  # (these have no Eigen)
+    elseif(NOT ARG_QUICK AND NOT (ARG_COLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+           AND NOT name MATCHES "^(base|io)$")  # (these have no Eigen)
       target_precompile_headers(ccdfuzz_${name} REUSE_FROM ccdfuzz_numeric)
     endif()
   else()

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
@@ -28,19 +27,17 @@ Result<double> parse_precision(const std::string& where, const std::string& text
 }
 
 Result<Shape> parse_shape(const std::string& where, const std::string& text) {
-  static const std::regex kForm("point|(curve|triangle):(\\d{1,4})|tensor:(\\d{1,4})x(\\d{1,4})");
-  std::smatch part;
-  if (!std::regex_match(text, part, kForm)) {
-    return input_error(where,
-                       fmt::format("\"{}\" is not point, curve:N, triangle:N or tensor:NxM", text));
+  if (text == "point") return Shape::point();
+  for (int n = 1; n <= kMaxDegree; ++n) {
+    if (text == fmt::format("curve:{}", n)) return Shape::curve(n);
+    if (text == fmt::format("triangle:{}", n)) return Shape::triangle(n);
+    for (int m = 1; m <= kMaxDegree; ++m) {
+      if (text == fmt::format("tensor:{}x{}", n, m)) return Shape::tensor(n, m);
+    }
   }
-  const auto degree = [&](size_t i) { return std::stoi(part[i]); };
-  const Shape shape = part[3].matched      ? Shape::tensor(degree(3), degree(4))
-                      : !part[1].matched   ? Shape::point()
-                      : part[1] == "curve" ? Shape::curve(degree(2))
-                                           : Shape::triangle(degree(2));
-  if (shape.valid()) return shape;
-  return input_error(where, fmt::format("{} has a degree outside 1..{}", text, kMaxDegree));
+  return input_error(
+      where, fmt::format("\"{}\" is not point, curve:N, triangle:N or tensor:NxM, of degrees 1..{}",
+                         text, kMaxDegree));
 }
 
 }  // namespace
