@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "case/horizons.hpp"
 #include "case/judge.hpp"
+#include "eval/horizons.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {

@@ -2,7 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "case/horizons.hpp"
+#include "eval/horizons.hpp"
 #include "eval/stream_cases.hpp"
 #include "io/fields.hpp"
 #include "method/ask.hpp"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "eval/horizons.hpp"
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_query.hpp"

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/verify.hpp"
-#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "eval/horizons.hpp"
 #include "generators/bodies.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "properties/draw_linear.hpp"

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "case/horizons.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "eval/horizons.hpp"
 #include "files/case_json.hpp"
 #include "files/tree_file.hpp"
 #include "generators/contact.hpp"

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "base/enum_names.hpp"
-#include "case/horizons.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/curvature.hpp"
+#include "eval/horizons.hpp"
 #include "eval/tables.hpp"
 
 namespace ccdfuzz {

@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "case/horizons.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "eval/horizons.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/taken_query.hpp"
 #include "share.hpp"

@@ -1,4 +1,4 @@
-#include "case/horizons.hpp"
+#include "eval/horizons.hpp"
 
 #include <cmath>
 
