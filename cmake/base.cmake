@@ -56,11 +56,6 @@ include(cmake/fp_rules.cmake)
 # sanitizers in a third.
 set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)
 
-# By itself GCC collects garbage from 128 MB on, which takes a twelfth of the time.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_compile_options(--param=ggc-min-heapsize=524288)  # in kB
-endif()
-
 # ccdfuzz_hot_first(TARGET): of an inline function that several rooms compile, the linker takes the first. So the rooms
 # that take the time come before all others, however those are compiled.
 function(ccdfuzz_hot_first target)
