@@ -78,8 +78,8 @@ endfunction()
 file(WRITE ${PROJECT_BINARY_DIR}/rooms.txt "")
 
 # ccdfuzz_library(NAME [QUICK|COLD] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
-# of the design are also the links of the build. QUICK: to compile, and no fuzz target runs it. COLD: it calls what takes
-# time; a release optimises it little.
+# of the design are also the links of the build. QUICK: it compiles fast, as it is optimised little; no fuzz target runs
+# it. COLD: it only calls code that takes time, so a release optimises it little.
 # APART: it needs a package that users may lack, and is installed as a component of its own.
 function(ccdfuzz_library name)
   cmake_parse_arguments(ARG "QUICK;COLD;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})

@@ -131,11 +131,10 @@ void check_near_misses(Draw& d) {
 }  // namespace
 
 std::vector<Property> linear_distances_claims() {
-  return {
-      {"tdibm-c.linear_near_misses",
-       "Linear patches that stay farther apart than the separation, by 2^-42 of their size, are "
-       "no hit without pops",
-       "src/ccd/certified/DERIVATION.md, 8", check_near_misses}};
+  return {{"tdibm-c.linear_near_misses",
+           "Linear patches that stay farther apart than the separation, by 2^-42 of their largest "
+           "coordinate between 0 and t_max, are no hit without pops",
+           "src/ccd/certified/DERIVATION.md, 8", check_near_misses}};
 }
 
 }  // namespace ccdfuzz

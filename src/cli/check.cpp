@@ -37,7 +37,7 @@ struct CheckedProperty {
   CheckTally tally = {};
   std::string reproduce = {};          ///< the first failure
   std::optional<ClaimFind> find = {};  ///< made of it where somebody wants to see it
-  bool fails_again = false;            ///< it; a hang need not draw choices that can be stored
+  bool fails_again = false;            ///< so does its input; of a hang, by its draw
   std::string saved = {};              ///< its path; empty where it need not or could not be saved
   std::string not_saved = {};          ///< why not, as it was found or as it was shrunk
 
@@ -121,7 +121,7 @@ void print_found(const CheckedProperty& checked) {
 void print_shrunk(const CheckedProperty& checked) {
   const ClaimFind& find = *checked.find;
   std::string text = checked.fails_again
-                         ? "\nnot shrunk: it hangs each time, on choices that do not end\n"
+                         ? "\nnot shrunk: it hangs each time, on more choices than are kept\n"
                          : "\nnot shrunk: the same input does not fail each time that it is run\n";
   if (find.shrunk != Shrunk::kNot) {
     text =

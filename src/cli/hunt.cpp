@@ -131,9 +131,8 @@ std::string hunt_notes(const HuntReport& report) {
 void print_report(const HuntReport& report, const HuntArguments& options) {
   const std::vector<const Find*> stored = new_finds(report, true);
   for (const Find* find : new_finds(report, false)) {
-    print_out(fmt::format("Not stored{}: {}. Its file would be:\n{}\n\n",
-                          find->is_alone ? "" : ", since it needs earlier queries",
-                          to_text(find->failure), to_json(find->value)));
+    print_out(fmt::format("Not stored: {}. Its file would be:\n{}\n\n", to_text(find->failure),
+                          to_json(find->value)));
   }
   print_finds(stored, options.corpus);
   print_table(options.by_class ? hunt_table(report.cells) : method_table(report.cells));
@@ -166,7 +165,6 @@ void print_report_json(const HuntReport& report) {
       row.constant("row", "find");
       row("path", is_stored ? std::optional(find.path) : std::nullopt);
       row("new", find.is_new);
-      row.optional("needs_earlier_queries", !find.is_alone);
       Failure::fields(row, find.failure);
       row("breaks_claim", breaks_claim(find.failure));
       row.optional("depth", find.depth);

@@ -133,13 +133,11 @@ Result<void> Intake::store_all() {
 }
 
 Result<void> Intake::store_kept() {
-  const auto is_done = [](const auto& entry) {
-    return entry.second.stored || !entry.second.is_alone;
-  };
+  const auto is_stored = [](const auto& entry) { return entry.second.stored; };
   Result<void> stored = notice_replacement();
-  while (stored && !std::ranges::all_of(kept_, is_done)) {
+  while (stored && !std::ranges::all_of(kept_, is_stored)) {
     for (auto& [failure, kept] : kept_) {
-      if (kept.stored || !kept.is_alone) continue;
+      if (kept.stored) continue;
       const Result<Store::Put> done = put(failure, kept.find);
       if (!done) {
         // Where one cannot be stored, the others are no worse off.
@@ -185,7 +183,6 @@ Result<void> Intake::finish(const Finish& how) {
     Failure failure;
     Case find;
     double depth = 0;
-    bool is_alone = true;
   };
   std::vector<Task> tasks;
   {
@@ -199,18 +196,10 @@ Result<void> Intake::finish(const Finish& how) {
   run_in_order<Case>(
       tasks.size(), how.threads,
       [&](size_t i) {
-        auto& [failure, find, depth, is_alone] = tasks[i];
+        auto& [failure, find, depth] = tasks[i];
         Asker& asker = askers.local();
-        const Case first = find;
         if (how.shrinks(failure))
           find = minimise(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
-        if (names_plugin(failure.who)) {
-          const auto fails_alone = [&](const Case& value) {
-            return make_().failure(failure.who, value) == failure;
-          };
-          is_alone = fails_alone(find);
-          if (!is_alone && fails_alone(first)) find = first, is_alone = true;
-        }
         if (is_false_negative(failure.outcome)) {
           depth = asker.depth(failure.who, checked_or_unknown(find));
         }
@@ -218,11 +207,10 @@ Result<void> Intake::finish(const Finish& how) {
         return std::move(find);
       },
       [&](Case find) {
-        const auto& [failure, was, depth, is_alone] = tasks[done++];
+        const auto& [failure, was, depth] = tasks[done++];
         const std::lock_guard lock(mutex_);
         Kept& kept = kept_.at(failure);
-        if (!is_alone) std::ignore = noted(store_.remove(failure));
-        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth, is_alone};
+        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth};
         std::ignore = store_kept();
       },
       &how.stop);
@@ -233,9 +221,8 @@ std::vector<Find> Intake::finds() const {
   const std::lock_guard lock(mutex_);
   std::vector<Find> finds;
   for (const auto& [failure, kept] : kept_) {
-    Find find{failure,    kept.stored ? store_.path_of(failure) : "",
-              kept.find,  kept.is_new || !kept.stored,
-              kept.depth, kept.is_alone};
+    Find find{failure, kept.stored ? store_.path_of(failure) : "", kept.find,
+              kept.is_new || !kept.stored, kept.depth};
     if (!find.is_new) {
       if (const auto entry = store_.standing(failure); entry && *entry) {
         find.path = (*entry)->id;

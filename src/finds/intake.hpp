@@ -20,8 +20,6 @@ struct Find {
   Case value;           ///< with its expectations
   bool is_new = false;  ///< found by this run; else it was there before, or a smaller one was
   double depth = 0;     ///< that of a new one (Asker::depth)
-  /// False: a new process of the plug-in does not fail so on this query alone. It is not stored.
-  bool is_alone = true;
 };
 
 /// The finds of one run on their way into a store. The smallest of each failure is kept in memory,
@@ -83,8 +81,7 @@ class Intake {
     /// True ends it.
     const std::atomic<bool>& stop;
   };
-  /// Minimises the new finds and asks all methods about them. One of a plug-in that needs earlier
-  /// queries is taken out of the store. Errors: of the store.
+  /// Minimises the new finds and asks all methods about them. Errors: of the store.
   Result<void> finish(const Finish& how);
 
   /// The first thing that went wrong with the store, if anything did.
@@ -100,7 +97,6 @@ class Intake {
     Case find;
     bool stored = false, is_new = false;
     double depth = 0;
-    bool is_alone = true;
   };
 
   Result<void> store_kept();

@@ -261,10 +261,6 @@ Result<void> Store::disown(const Failure& failure, const std::string& path) {
   });
 }
 
-Result<void> Store::remove(const Failure& failure) {
-  return locked([&] { return remove_entry(path_of(failure)); });
-}
-
 Result<std::vector<NamedCase>> Store::load() {
   return locked([&]() -> Result<std::vector<NamedCase>> {
     std::vector<NamedCase> entries;

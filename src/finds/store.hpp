@@ -68,9 +68,6 @@ class Store {
   /// Errors: as put.
   Result<void> disown(const Failure& failure, const std::string& path);
 
-  /// Removes the entry that is named by a failure. Errors: as put.
-  Result<void> remove(const Failure& failure);
-
   /// All entries, ordered by path; an empty folder is no error. Makes the folder again if it was
   /// removed.
   Result<std::vector<NamedCase>> load();

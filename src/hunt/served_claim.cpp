@@ -42,8 +42,8 @@ struct Said {
 
 /// What draws make are thousands of choices. More are not kept: a child's files end at 16 MiB.
 constexpr std::size_t kMostMade = std::size_t{1} << 20;
-/// A hang whose choices fit into no argument of a command is repeated by its draw alone: 128 KiB,
-/// and a choice has at most 20 digits.
+/// A hang whose choices fit into no argument of a command is repeated by its draw alone. An
+/// argument has at most 128 KiB, and a choice at most 20 digits and a comma.
 constexpr std::size_t kMostOfAHang = (std::size_t{128} << 10) / 21;
 
 /// The choices of one input as they are made, the last at `place`: later ones were refused.

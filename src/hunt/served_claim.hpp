@@ -68,8 +68,8 @@ class ServedClaims {
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
   /// is, since each try would cost all its time. None if its choices do not show it: it does not
-  /// fail each time, or is a hang that draws without end. found: what on_draw() gave, and fails; or
-  /// what on() gave, and is no hang.
+  /// fail each time, or is a hang that draws more choices than are kept. found: what on_draw()
+  /// gave, and fails; or what on() gave, and is no hang.
   std::optional<Counterexample> least(const Property& property, const InputRun& found,
                                       const ShrinkLimits& limits);
 

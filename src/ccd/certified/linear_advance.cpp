@@ -257,9 +257,11 @@ class ConservativeAdvancement {
     const Axis normal = cross(e, f);
     follow(is_apart ? across(normal, e) : normal);
     if (clear_) return;
-    const auto [x, y] = nearest_of_edges(d, e, f);
-    const Axis nearest =
-        is_apart ? shortest_between_edges(d, e, f) : minus(plus(d, scaled(e, x)), scaled(f, y));
+    const Axis nearest = [&] {
+      if (is_apart) return shortest_between_edges(d, e, f);
+      const auto [x, y] = nearest_of_edges(d, e, f);
+      return minus(plus(d, scaled(e, x)), scaled(f, y));
+    }();
     follow(nearest);
     for (const Axis& edge : {e, f}) {
       if (clear_) return;

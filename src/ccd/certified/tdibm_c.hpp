@@ -41,9 +41,9 @@ namespace ccdfuzz {
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
 /// That a hit's cells are about as near as d is tested (separation.not_early), but not proven.
 /// A hit on linear patches without pops is decided as far as doubles tell the distance from d: to
-/// 2^-42 of the size (tdibm-c.linear_near_misses). With pops, which edges that turn may take, it is
-/// as near as any other hit. Keeps at most kKeptBytes between queries. A law's tests are named by
-/// it in tests/ccd_certified.
+/// 2^-42 of the largest coordinate between 0 and t_max (tdibm-c.linear_near_misses). With pops,
+/// which patches that turn may take, it is as near as any other hit. Keeps at most kKeptBytes
+/// between queries. A law's tests are named by it in tests/ccd_certified.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);

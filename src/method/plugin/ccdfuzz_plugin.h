@@ -206,8 +206,8 @@ typedef struct ccdfuzz_description {
   uint64_t body_count;
 } ccdfuzz_description;
 
-/* A plug-in. Every function may be called from one thread at a time. None but create, in C++, may
- * let an exception out. */
+/* A plug-in. Every function may be called from one thread at a time. No function may let an
+ * exception out, but create in C++. */
 typedef struct ccdfuzz_plugin {
   uint32_t size;
   uint32_t abi; /* CCDFUZZ_PLUGIN_ABI */
