@@ -41,11 +41,6 @@ struct ExportOptions {
   bool round = false;
 };
 
-/// How much was written, for people; it is no part of what is written to the standard output.
-void tell(const ExportOptions& options, const std::string& text) {
-  is_standard_output(options.output) ? print_err(text + "\n") : print_out(text + "\n");
-}
-
 int export_tests(const ExportOptions& options, TestFramework framework, OutputFile& out) {
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
@@ -55,7 +50,7 @@ int export_tests(const ExportOptions& options, TestFramework framework, OutputFi
     });
   }));
   need(out.commit());
-  tell(options, counted(count, "test", "tests"));
+  print_out(counted(count, "test", "tests") + "\n");
   return kDone;
 }
 
@@ -113,7 +108,7 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   need(out.commit());
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
-  tell(options, summary);
+  print_out(summary + "\n");
   return kDone;
 }
 
@@ -141,7 +136,7 @@ int export_engine_tests(const ExportOptions& options, const EngineTemplate& engi
       return write_file(path, text);
     });
   }));
-  tell(options, counted(paths.size(), "test", "tests"));
+  print_out(counted(paths.size(), "test", "tests") + "\n");
   return kDone;
 }
 
@@ -152,6 +147,7 @@ int run_export(const ExportOptions& options, Session&) {
          options.output +
              ": is a file of cases by its name; accepted is another, such as a .csv or .cpp"}};
   }
+  leave_stdout_to(options.output);
   if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
     return export_engine_tests(options, *engine);
   }

@@ -92,6 +92,7 @@ int run_import(const ImportOptions& options, Session& session) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
   CaseWriter writer = need(CaseWriter::open(options.output));
+  leave_stdout_to(options.output);
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
                        {"in the file", Align::kLeft},

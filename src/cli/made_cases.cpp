@@ -9,6 +9,7 @@ Result<MadeSet> MadeSet::open(const std::string& path) {
   MadeSet set;
   if (path.empty() || path == "-") return set;
   CCDFUZZ_TRY(DataSetWriter writer, DataSetWriter::open(path));
+  leave_stdout_to(path);
   set.path_ = path;
   set.writer_ = std::move(writer);
   return set;

@@ -8,14 +8,20 @@
 
 #include "base/text.hpp"
 #include "cli/terminal.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
 int first_errno = 0;
+bool stdout_has_cases = false;
 
 void write_out(const std::string& text) {
+  if (stdout_has_cases) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    return;
+  }
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_errno == 0) {
     first_errno = errno;
@@ -23,6 +29,10 @@ void write_out(const std::string& text) {
 }
 
 }  // namespace
+
+void leave_stdout_to(const std::string& path) {
+  stdout_has_cases = is_standard_output(path);
+}
 
 void print_out(const std::string& text) {
   write_out(shown_lines(text));

@@ -7,6 +7,10 @@
 
 namespace ccdfuzz {
 
+/// If the path is the standard output, what is printed from now on goes to stderr: it is no part of
+/// what is written there.
+void leave_stdout_to(const std::string& path);
+
 /// Writes text to stdout. A failure (a full disk, /dev/full) is remembered for flush_stdout. Names
 /// of files, methods and cases may hold what a terminal obeys: control characters but newlines are
 /// shown (shown_lines).

@@ -69,6 +69,7 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
 
 int run_prove(const ProveOptions& options, Session& session) {
   DataSetWriter destination = need(DataSetWriter::open(options.output));
+  leave_stdout_to(options.output);
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t cases = 0, refuted = 0;
