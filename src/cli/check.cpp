@@ -120,9 +120,10 @@ void print_found(const CheckedProperty& checked) {
 /// Prints what shrinking made of the find, and where that is saved.
 void print_shrunk(const CheckedProperty& checked) {
   const ClaimFind& find = *checked.find;
-  std::string text = checked.fails_again
-                         ? "\nnot shrunk: it hangs each time, on more choices than are kept\n"
-                         : "\nnot shrunk: the same input does not fail each time that it is run\n";
+  std::string text =
+      checked.fails_again
+          ? "\nnot shrunk: its draw hangs each time, which its choices alone do not show\n"
+          : "\nnot shrunk: the same input does not fail each time that it is run\n";
   if (find.shrunk != Shrunk::kNot) {
     text =
         fmt::format("\n{}reproduce: {}\n",

@@ -67,9 +67,9 @@ class ServedClaims {
                       std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
-  /// is, since each try would cost all its time. None if its choices do not show it: it does not
-  /// fail each time, or is a hang that draws more choices than are kept. found: what on_draw()
-  /// gave, and fails; or what on() gave, and is no hang.
+  /// is, since each try would cost all its time. None if its choices do not show it. Then it does
+  /// not fail each time, or it hangs on draws that are refused or too many for a command.
+  /// found: what on_draw() gave, and fails; or what on() gave, and is no hang.
   std::optional<Counterexample> least(const Property& property, const InputRun& found,
                                       const ShrinkLimits& limits);
 
