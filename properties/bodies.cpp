@@ -1,10 +1,8 @@
-#include "generators/bodies.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "fuzz/mutator/mutate_query.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
@@ -16,24 +14,9 @@ namespace {
 
 constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
 
-Case draw_planted(Draw& d, CaseKind kind, Family family = Family::kBodies) {
-  GeneratorOptions options;
-  options.contact = d.pick(kContactClasses);
-  options.kind = kind;
-  options.family = family;
-  const Case made = generate(options, d).value;
-  show(d, "planted", made);
-  return made;
-}
-
-/// A mutant of planted bodies, which may overlap at the start, and may have a separation.
 Query draw_bodies(Draw& d) {
   const Query first = draw_planted(d, d.pick(kBodyCaseKinds)).query;
-  const Query other = draw_planted(d, CaseKind::kRP).query;
-  Query query = mutate_query(first, other, d);
-  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
-  show(d, "query", query);
-  return query;
+  return draw_mutant(d, first, draw_planted(d, CaseKind::kRP).query);
 }
 
 Rational draw_fraction_of(Draw& d, const Rational& whole) {
@@ -141,24 +124,6 @@ void check_forged_weights(Draw& d) {
   CLAIM(!check_body_contact(known.query, witness));
 }
 
-/// Swapped, moved along, or scaled, bodies touch when they did.
-void check_same_bodies(Draw& d) {
-  const Query query = draw_bodies(d);
-  const Truth truth = decide(query).truth;
-  Query same = query;
-  const int shift = static_cast<int>(d.integer(-8, 8));
-  const bool is_swapped = d.coin();
-  if (is_swapped) std::swap(same.patches[0], same.patches[1]);
-  for (MovingPatch<double>& hull : same.patches) {
-    for_each_coordinate(hull, [&](double& x) { x = std::ldexp(x, shift); });
-    std::reverse(hull.positions.begin(), hull.positions.end());
-  }
-  same.separation = std::ldexp(same.separation, shift);
-  const Truth other = decide(same).truth;
-  show(d, "same", same);
-  claim_same_time(truth, other);
-}
-
 }  // namespace
 
 std::vector<Property> bodies_claims() {
@@ -175,7 +140,11 @@ std::vector<Property> bodies_claims() {
        "Any two bodies are decided, a contact within 2^-40 of its time, and none comes before",
        kDeciding, check_any_bodies},
       {"bodies.same_contact", "Bodies that are swapped and scaled touch at the same time",
-       kDeciding, check_same_bodies},
+       kDeciding,
+       [](Draw& d) {
+         const Query query = draw_bodies(d);
+         claim_same_otherwise(d, query, decide(query).truth);
+       }},
       {"checker.refuses_late_directions",
        "A direction that keeps bodies apart is refused past their contact", kChecker,
        check_late_directions},

@@ -4,7 +4,6 @@
 #include "case/scale.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "generators/generate.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -14,13 +13,7 @@ namespace ccdfuzz {
 namespace {
 
 Case draw_body_graze(Draw& d, Family family, CaseKind kind) {
-  GeneratorOptions options;
-  options.family = family;
-  options.kind = kind;
-  options.contact = d.until([&] { return d.pick(kContactClasses); },
-                            [&](ContactClass contact) { return is_made(family, contact, kind); });
-  const Case made = generate(options, d).value;
-  show(d, "planted", made);
+  const Case made = draw_planted(d, kind, family);
   claim_planted_truth(made, kind, {.bodies = true});
   return made;
 }

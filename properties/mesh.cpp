@@ -7,7 +7,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "fuzz/mutator/mutate_query.hpp"
 #include "generators/generate.hpp"
 #include "method/setting.hpp"
 #include "method/taken_query.hpp"
@@ -20,14 +19,8 @@ namespace ccdfuzz {
 namespace {
 
 Case draw_mesh(Draw& d, CaseKind kind) {
-  GeneratorOptions options;
-  options.contact = d.pick(kContactClasses);
-  options.kind = kind;
   constexpr std::array kFamilies = {Family::kMesh, Family::kMeshOneSided, Family::kMeshGrazing};
-  options.family = kFamilies[d.below(kind == CaseKind::kRP ? 3 : 2)];
-  const Case made = generate(options, d).value;
-  show(d, "planted", made);
-  return made;
+  return draw_planted(d, kind, kFamilies[d.below(kind == CaseKind::kRP ? 3 : 2)]);
 }
 
 CaseKind draw_kind_of_mesh(Draw& d) {
@@ -37,11 +30,8 @@ CaseKind draw_kind_of_mesh(Draw& d) {
 /// A mutant that is a mesh still, whose faces may have no area or be missed.
 Query draw_any_mesh(Draw& d) {
   const Query first = draw_mesh(d, draw_kind_of_mesh(d)).query;
-  const Query other = draw_mesh(d, CaseKind::kRP).query;
-  Query query = mutate_query(first, other, d);
+  Query query = draw_mutant(d, first, draw_mesh(d, CaseKind::kRP).query);
   suppose(has_mesh(query));
-  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
-  show(d, "query", query);
   return query;
 }
 
@@ -112,30 +102,6 @@ void check_who_is_there(Draw& d) {
   for (Rational& w : witness.weights[side]) w /= 2;
   witness.weights[side][point] = Rational(1, 2);
   CLAIM(!check_body_contact(query, witness));
-}
-
-/// Swapped, with points and faces in another order, a face twice or a point more, it is the same.
-void check_same_mesh(Draw& d) {
-  const Query query = draw_any_mesh(d);
-  Query same = query;
-  if (d.coin()) std::swap(same.patches[0], same.patches[1]);
-  MovingPatch<double>& mesh = same.patches[mesh_side(same)];
-  const int last = mesh.shape.n - 1;
-  std::ranges::reverse(mesh.positions);
-  for (Face& face : mesh.faces) {
-    for (int& corner : face) corner = last - corner;
-    std::ranges::rotate(face, face.begin() + static_cast<long>(d.below(3)));
-  }
-  std::ranges::reverse(mesh.faces);
-  const Face again = mesh.faces[d.below(mesh.faces.size())];
-  if (mesh.faces.size() < kMaxFaces) mesh.faces.push_back(again);
-  if (last + 1 < kMaxControls) {
-    mesh.positions.push_back(same.patches[1 - mesh_side(same)].positions[0]);
-    mesh.shape = Shape::hull(last + 2);
-  }
-  if (d.coin()) drop_unused_points(mesh);
-  show(d, "same", same);
-  claim_same_time(decide(query).truth, decide(same).truth);
 }
 
 /// A face that is farther than the first contact changes nothing if it is taken away.
@@ -292,8 +258,13 @@ std::vector<Property> mesh_claims() {
        "Any mesh is decided, and touched when the first of its faces is that is there", kDeciding,
        check_least_of_faces},
       {"mesh.same_contact",
-       "A mesh is touched at the same time in another order, with a face twice or a point more",
-       kMeshes, check_same_mesh},
+       "A mesh is touched at the same time if it is swapped, scaled, in another order, with a face "
+       "twice or a point more",
+       kMeshes,
+       [](Draw& d) {
+         const Query query = draw_any_mesh(d);
+         claim_same_otherwise(d, query, decide(query).truth);
+       }},
       {"mesh.unused_face", "A face that is touched later or never changes no first contact",
        kDeciding, check_unused_face},
       {"mesh.windings",

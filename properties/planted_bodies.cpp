@@ -1,13 +1,93 @@
 #include "properties/planted_bodies.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
+#include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "method/plugin/feature_claims.hpp"
-#include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
+
+namespace {
+
+void turn_axes(Query& query, int by) {
+  const auto permute = [&](auto& v) { std::rotate(v.begin(), v.begin() + by, v.end()); };
+  for (MovingPatch<double>& body : query.patches) {
+    for (auto* points : {&body.positions, &body.velocities}) {
+      for (Vec3<double>& p : *points) permute(p);
+    }
+    if (body.turn) permute(body.turn->centre), permute(body.turn->spin);
+  }
+}
+
+void reorder_mesh(MovingPatch<double>& mesh, const Vec3<double>& elsewhere, Draw& d) {
+  for (Face& face : mesh.faces) {
+    std::ranges::rotate(face, face.begin() + static_cast<long>(d.below(3)));
+  }
+  std::ranges::reverse(mesh.faces);
+  const Face again = mesh.faces[d.below(mesh.faces.size())];
+  if (mesh.faces.size() < kMaxFaces) mesh.faces.push_back(again);
+  if (mesh.shape.n < kMaxControls) {
+    mesh.positions.push_back(elsewhere);
+    mesh.shape = Shape::hull(mesh.shape.n + 1);
+  }
+  if (d.coin()) drop_unused_points(mesh);
+}
+
+Query given_otherwise(Query query, Draw& d) {
+  if (d.coin()) std::swap(query.patches[0], query.patches[1]);
+  const int in_space = static_cast<int>(d.integer(-8, 8));
+  for (MovingPatch<double>& body : query.patches) {
+    const int length = static_cast<int>(d.integer(-8, 8));
+    const double sign = d.coin() && body.turn && body.turn->is_quaternion() ? -1 : 1;
+    if (body.turn && !body.turn->is_spin()) {
+      for_each_turn_number(body, [&](double& x) { x = std::ldexp(sign * x, length); });
+    }
+    for_each_coordinate(body, [&](double& x) { x = std::ldexp(x, in_space); });
+    std::ranges::reverse(body.positions);
+    for (Face& face : body.faces) {
+      for (int& corner : face) corner = body.shape.n - 1 - corner;
+    }
+  }
+  query.separation = std::ldexp(query.separation, in_space);
+  if (has_spins(query)) turn_axes(query, static_cast<int>(d.integer(0, 2)));
+  if (!has_mesh(query)) return query;
+  const std::size_t side = mesh_side(query);
+  reorder_mesh(query.patches[side], query.patches[1 - side].positions[0], d);
+  return query;
+}
+
+}  // namespace
+
+Case draw_planted(Draw& d, CaseKind kind, Family family, bool in_plane) {
+  GeneratorOptions options;
+  options.kind = kind;
+  options.family = family;
+  options.plane = in_plane;
+  options.contact = d.until([&] { return d.pick(kContactClasses); },
+                            [&](ContactClass contact) {
+                              options.contact = contact;
+                              return validate(options).has_value();
+                            });
+  const Case made = generate(options, d).value;
+  show(d, "planted", made);
+  return made;
+}
+
+Query draw_mutant(Draw& d, const Query& first, const Query& other) {
+  Query query = mutate_query(first, other, d);
+  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
+  show(d, "query", query);
+  return query;
+}
 
 void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs) {
   const auto checked = check_case(known);
@@ -22,10 +102,17 @@ void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs
 }
 
 void claim_same_time(const Truth& one, const Truth& other) {
+  suppose(one.collides && other.collides);
   CLAIM(one.collides == other.collides);
   if (!*one.collides) return;
   CLAIM(one.witness->t >= other.clear_until.value_or(0));
   CLAIM(other.witness->t >= one.clear_until.value_or(0));
+}
+
+void claim_same_otherwise(Draw& d, const Query& query, const Truth& truth) {
+  const Query same = given_otherwise(query, d);
+  show(d, "same", same);
+  claim_same_time(truth, decide(same).truth);
 }
 
 }  // namespace ccdfuzz

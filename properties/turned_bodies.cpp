@@ -6,9 +6,9 @@
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
-#include "generators/generate.hpp"
 #include "generators/turning.hpp"
 #include "numeric/products.hpp"
+#include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -46,10 +46,7 @@ void check_quaternion_of_spin(Draw& d) {
 
 /// A body that was turned back comes to its place, but for the rounding of its points to floats.
 void check_spun_back(Draw& d) {
-  GeneratorOptions options;
-  options.contact = d.pick(kContactClasses);
-  options.family = Family::kBodies;
-  Query query = generate(options, d).value.query;
+  Query query = draw_planted(d, CaseKind::kRP).query;
   MovingPatch<double>& body = query.patches[d.below(2)];
   body.velocities[0] = {0, 0, 0};
   const Points<double> places = body.positions;
@@ -92,8 +89,8 @@ Vec3<double> draw_point(Draw& d) {
   return {x[0], x[1], x[2]};
 }
 
-/// A plane beside a body that turns is accepted for a short time. It is refused where it cuts off a
-/// point of it then, or later, and with a gap that is no larger than the body's radius.
+/// A plane on either side of a body that turns is accepted for a short time. It is refused where it
+/// cuts off a point of it then, or later, and with a gap that is no larger than the body's radius.
 void check_plane_beside(Draw& d) {
   Query query;
   auto& [body, far] = query.patches;
@@ -107,8 +104,14 @@ void check_plane_beside(Draw& d) {
   BodyPlanes::Plane plane;
   plane.from = Rational(d.integer(0, 32)) / 64;
   const Rational later = plane.from + Rational(d.integer(1, 32)) / 64;
-  for (auto& end : plane.normals) end = {exact(normal[0]), exact(normal[1]), exact(normal[2])};
-  show(d, "query", query);
+  const bool is_first = d.coin();
+  for (auto& end : plane.normals) {
+    for (int k = 0; k < 3; ++k)
+      end[static_cast<size_t>(k)] = exact(is_first ? normal[k] : -normal[k]);
+  }
+  Query asked = query;
+  if (!is_first) std::swap(asked.patches[0], asked.patches[1]);
+  show(d, "query", asked);
   // In 2^-24 of the step no point goes so far.
   const Rational room = power_of_two(-10);
   const Rational kept = exact(body.radius) * root_above(dot(exact(normal), exact(normal)));
@@ -119,8 +122,8 @@ void check_plane_beside(Draw& d) {
   };
   const Rational highest = highest_at(plane.from), highest_later = highest_at(later);
   const auto is_accepted = [&](const Rational& offset, const Rational& until) {
-    plane.offsets.fill(offset);
-    return check_body_plane(query, plane, until).has_value();
+    plane.offsets.fill(is_first ? offset : Rational(-offset - plane.gap));
+    return check_body_plane(asked, plane, until).has_value();
   };
   CLAIM(is_accepted(highest + room, plane.from + power_of_two(-24)));
   CLAIM(!is_accepted(highest - room, plane.from + power_of_two(-24)));
@@ -181,8 +184,9 @@ std::vector<Property> turned_bodies_claims() {
        "rounding",
        "generators/turning.hpp", check_spun_back},
       {"turning.plane_beside",
-       "A plane beside a body that turns is accepted for a short time, and refused where it cuts "
-       "off a point of the body, or its gap is no larger than the radius",
+       "A plane on either side of a body that turns is accepted for a short time, and refused "
+       "where "
+       "it cuts off a point of the body, or its gap is no larger than the radius",
        "src/certify/checker/check_turning.hpp", check_plane_beside},
       {"turning.ball_within",
        "A body that spins holds the ball about a point in it that its faces' planes touch, and no "
