@@ -1,23 +1,20 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "case/query.hpp"
-#include "ccd/line.hpp"
 #include "ccd/rational/gap.hpp"
 #include "generators/draw_patch.hpp"
+#include "properties/exact_lines.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
 // What tdibm-rational is compared with: slow, and as close to the definitions as can be.
 namespace ccdfuzz {
-
-using RationalLines = std::vector<Line<Rational>>;
 
 /// The control points of a cell, projected on an axis: the cell's own, restricted exactly. S: of
 /// rational patches Rational, else the faster Dyadic, too.
@@ -54,39 +51,6 @@ inline Rational exact_gap(const RationalLines& lower, const RationalLines& upper
   for (const Line<Rational>& line : lower) max = std::max(max, line.at(t));
   for (const Line<Rational>& line : upper) min = std::min(min, line.at(t));
   return max - min;
-}
-
-/// The times of [lo, hi] at which max lower < min upper: an interval from `from` to `to`, each end
-/// separated or not. By all pairs of lines, without envelopes.
-struct SeparatedTimes {
-  Rational from, to;
-  bool from_included = false, to_included = false;
-
-  bool contains(const Rational& t) const {
-    return (from < t || (from_included && from == t)) && (t < to || (to_included && to == t));
-  }
-};
-
-inline std::optional<SeparatedTimes> separated_times(const RationalLines& lower,
-                                                     const RationalLines& upper, const Rational& lo,
-                                                     const Rational& hi) {
-  SeparatedTimes s{lo, hi, true, true};
-  for (const Line<Rational>& f : lower) {
-    for (const Line<Rational>& g : upper) {
-      const Rational slope = f.slope - g.slope, height = f.intercept - g.intercept;
-      if (sgn(slope) == 0) {
-        if (sgn(height) >= 0) return std::nullopt;
-        continue;
-      }
-      const Rational root = -height / slope;  // itself not separated
-      if (sgn(slope) > 0 && root <= s.to) s.to = root, s.to_included = false;
-      if (sgn(slope) < 0 && root >= s.from) s.from = root, s.from_included = false;
-    }
-  }
-  if (s.from > s.to || (s.from == s.to && !(s.from_included && s.to_included))) {
-    return std::nullopt;
-  }
-  return s;
 }
 
 /// A pair of cells of a query, of one depth, and an axis.

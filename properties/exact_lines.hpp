@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "ccd/line.hpp"
@@ -11,6 +12,7 @@
 namespace ccdfuzz {
 
 using ExactLines = std::vector<Line<Dyadic>>;
+using RationalLines = std::vector<Line<Rational>>;
 
 inline Line<Dyadic> exact_line(const Line<double>& line) {
   return {Dyadic::exact(line.slope), Dyadic::exact(line.intercept)};
@@ -90,6 +92,39 @@ inline Dyadic eps_arith(const ExactLines& sorted, const Dyadic& t) {
   const Dyadic swept = t * (sorted.back().slope - sorted[0].slope) + delta_b;
   return Dyadic(static_cast<int>(sorted.size())) *
          theorem_4_1_bound(std::max(delta_b.scaled(2), swept), 4);
+}
+
+/// The times of [lo, hi] at which max lower < min upper: an interval from `from` to `to`, each end
+/// separated or not. By all pairs of lines, without envelopes.
+struct SeparatedTimes {
+  Rational from, to;
+  bool from_included = false, to_included = false;
+
+  bool contains(const Rational& t) const {
+    return (from < t || (from_included && from == t)) && (t < to || (to_included && to == t));
+  }
+};
+
+inline std::optional<SeparatedTimes> separated_times(const RationalLines& lower,
+                                                     const RationalLines& upper, const Rational& lo,
+                                                     const Rational& hi) {
+  SeparatedTimes s{lo, hi, true, true};
+  for (const Line<Rational>& f : lower) {
+    for (const Line<Rational>& g : upper) {
+      const Rational slope = f.slope - g.slope, height = f.intercept - g.intercept;
+      if (sgn(slope) == 0) {
+        if (sgn(height) >= 0) return std::nullopt;
+        continue;
+      }
+      const Rational root = -height / slope;  // itself not separated
+      if (sgn(slope) > 0 && root <= s.to) s.to = root, s.to_included = false;
+      if (sgn(slope) < 0 && root >= s.from) s.from = root, s.from_included = false;
+    }
+  }
+  if (s.from > s.to || (s.from == s.to && !(s.from_included && s.to_included))) {
+    return std::nullopt;
+  }
+  return s;
 }
 
 }  // namespace ccdfuzz

@@ -30,7 +30,14 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
   return position.scaled(length_shift) + velocity.scaled(length_shift + horizon);
 }
 
-void check_filter_on(const Query& query, Draw& d) {
+/// Of plain patches, of such with ends, and of rational ones.
+void check_filter(Draw& d) {
+  Query query = draw_extreme_query(d);
+  const std::uint64_t kind = d.choose(2);
+  if (kind == 1) query = supposed(with_drawn_ends(query, d));
+  for (MovingPatch<double>& patch : query.patches) {
+    if (kind == 2) patch.weights = draw_patch_weights(d, patch.positions.size());
+  }
   const GapSetting setting = draw_gap_setting(d, query, 4);
   exact_ccd::Gap gap;
   setting.put(gap);
@@ -90,38 +97,14 @@ void check_separated_exactly(Draw& d) {
   CLAIM(gap.sign(below, scaled, gap.extremes(scaled)) == sgn(squared * norm_squared - h * h));
 }
 
-void check_rational_filter(Draw& d) {
-  check_filter_on(draw_extreme_query(d), d);
-}
-
-void check_filter_of_ends(Draw& d) {
-  check_filter_on(supposed(with_drawn_ends(draw_extreme_query(d), d)), d);
-}
-
-void check_filter_of_weights(Draw& d) {
-  Query query = draw_extreme_query(d);
-  for (MovingPatch<double>& patch : query.patches) {
-    patch.weights = draw_patch_weights(d, patch.positions.size());
-  }
-  check_filter_on(query, d);
-}
-
 }  // namespace
 
 std::vector<Property> filter_bound_claims() {
   return {
       {"tdibm-rational.error_bound",
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
-       "derived",
-       "src/ccd/rational/gap.cpp", check_rational_filter},
-      {"tdibm-rational.error_bound_ends",
-       "Gaps in doubles are off by the filter's error at most, which is no less than what was "
-       "derived, for patches with ends",
-       "src/ccd/rational/gap.cpp", check_filter_of_ends},
-      {"tdibm-rational.error_bound_weights",
-       "Gaps in doubles are off by the filter's error at most, which is no less than what was "
-       "derived, for rational patches",
-       "src/ccd/rational/gap.cpp", check_filter_of_weights},
+       "derived, also of patches with ends or weights",
+       "src/ccd/rational/gap.cpp", check_filter},
       {"tdibm-rational.separated_exactly",
        "An axis keeps two cells further apart than the separation iff exact arithmetic says so",
        "src/ccd/rational/exact_scene.hpp", check_separated_exactly},

@@ -80,28 +80,14 @@ void check_steps_are_exact(Draw& d) {
   upper_envelope(Plain(), f, w, envelope_f);
   upper_envelope(Plain(), g, w, envelope_g);
   const auto found = separation(Plain(), envelope_f, envelope_g, w);
-  SeparatedInterval<Rational> expected{w.lo, w.hi, true, true};
-  bool none = false;
-  for (const Line<Rational>& x : f) {
-    for (const Line<Rational>& y : g) {
-      const Rational slope = x.slope + y.slope, intercept = x.intercept + y.intercept;
-      if (slope == 0) {
-        none = none || intercept >= 0;
-        continue;
-      }
-      const Rational root = -intercept / slope;
-      if (slope < 0 && root >= expected.lo) expected.lo = root, expected.has_lo = false;
-      if (slope > 0 && root <= expected.hi) expected.hi = root, expected.has_hi = false;
-    }
-  }
-  none = none || expected.empty();
+  RationalLines lower(f.begin(), f.end()), upper;
+  for (const Line<Rational>& y : g) upper.push_back({-y.slope, -y.intercept});
+  const auto expected = separated_times(lower, upper, w.lo, w.hi);
   show(d, "lines", pairs);
-  CLAIM(found.has_value() == !none);
+  CLAIM(found.has_value() == expected.has_value());
   if (!found) return;
-  CLAIM(found->lo == expected.lo);
-  CLAIM(found->hi == expected.hi);
-  CLAIM(found->has_lo == expected.has_lo);
-  CLAIM(found->has_hi == expected.has_hi);
+  CLAIM(found->lo == expected->from && found->hi == expected->to);
+  CLAIM(found->has_lo == expected->from_included && found->has_hi == expected->to_included);
 }
 
 /// Two lines that cross, as the operands of Eq. 10 and C.2.

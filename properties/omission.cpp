@@ -90,16 +90,6 @@ void check_eps_arith(Draw& d) {
   }
 }
 
-/// Eq. 13, its second inequality, of three lines by rising slope: both terms of B are at most
-/// a_alpha − a_(gamma−1) times the difference of intercepts in them.
-void check_eq_13_second(Draw& d) {
-  const auto lines = draw_sorted(d, 3, draw_line_pairs(d).f);
-  const ExactLines exact = exact_lines(lines);
-  const auto phi = product_form(exact[0], exact[1], exact[2]);
-  show(d, "lines", lines);
-  CLAIM(abs(phi.r) * abs(phi.s) + abs(phi.p) * abs(phi.q) <= phi.p * (abs(phi.s) + abs(phi.q)));
-}
-
 /// The lines that Step II takes from the stack.
 struct CountingPops : ErrorBoundIntended {
   int* pops;
@@ -173,9 +163,6 @@ std::vector<Property> omission_claims() {
        "Section 4.4, Fig. 2", check_delta_Phi},
       {"paper.eps_arith", "The selected lines are below all lines by at most eps_arith", "Eq. 16",
        check_eps_arith},
-      {"paper.eq_13_second",
-       "eps_Phi is at most (a_alpha - a_(gamma-1)) times the differences of intercepts", "Eq. 13",
-       check_eq_13_second},
       {"paper.each_line_once", "Step II pushes and pops no more lines than there are",
        "Section 4.4", check_each_line_once},
       {"tdibm-e.convex_chain", "The lines selected with Phi <= eps_Phi make a convex chain",
