@@ -21,9 +21,9 @@ Rational draw_rational(Draw& d) {
   return Rational(p) / Rational(static_cast<long>(d.integer(1, 1'000'000)));
 }
 
-std::array<Rational, 3> draw_rationals(Draw& d) {
-  const Rational x = draw_rational(d), y = draw_rational(d);
-  return {x, y, draw_rational(d)};
+std::array<Rational, 3> three_of(DrawRational* draw, Draw& d) {
+  const Rational x = draw(d), y = draw(d);
+  return {x, y, draw(d)};
 }
 
 Query draw_any_bodies(Draw& d) {
@@ -38,17 +38,17 @@ Query draw_any_bodies(Draw& d) {
   return drawn;
 }
 
-Clearance draw_any_clearance(Draw& d) {
+Clearance draw_any_clearance(Draw& d, DrawRational* draw_number) {
   constexpr std::uint64_t kMost = 1 << 30;
-  const Rational until = draw_rational(d);
+  const Rational until = draw_number(d);
   const bool closed = d.coin();
   switch (d.choose(3)) {
     case 0:
       return LinearClearance{until, closed};
     case 1:
-      return BodyClearance{until, draw_rationals(d), closed};
+      return BodyClearance{until, three_of(draw_number, d), closed};
     case 2:
-      return MovingPlane{until, draw_rationals(d), draw_rational(d)};
+      return MovingPlane{until, three_of(draw_number, d), draw_number(d)};
     default:
       return MissTree{until,
                       {d.choose(kMost), 1 + d.choose(kMost), "00112233445566778899aabbccddeeff"}};
@@ -68,43 +68,11 @@ ContactBox draw_any_box(Draw& d) {
   return box;
 }
 
-/// All that a file may say of a query, true or not.
-Truth draw_any_truth(Draw& d, const Query& query) {
-  Truth truth;
-  if (d.coin()) {
-    truth.witness = Witness{draw_rational(d), {}};
-    for (std::size_t s = 0; s < 2; ++s) {
-      const auto count = static_cast<std::size_t>(query.patches[s].shape.control_count());
-      if (is_of_bodies(query)) {
-        truth.witness->weights[s].assign(count, draw_rational(d));
-      } else {
-        truth.witness->uv[s] = {draw_rational(d), draw_rational(d)};
-      }
-    }
-  }
-  if (d.coin()) truth.clear_until = draw_rational(d);
-  if (d.coin()) truth.contact_box = draw_any_box(d);
-  if (d.coin()) {
-    const std::array<Rational, 3> any = draw_rationals(d);
-    truth.contact_root = ContactRoot{{any[0].get_num(), any[1].get_num()}, any[2], any[0]};
-  }
-  if (d.coin()) truth.clearance = draw_any_clearance(d);
-  if (truth.clearance && d.coin()) truth.proof = proof_word(*truth.clearance);
-  if (!truth.proof && d.coin()) truth.proof = "rational-tdibm";
-  const bool is_contact = truth.witness || truth.contact_box || truth.contact_root;
-  if (is_contact && d.coin()) {
-    truth.collides = true;
-  } else if (truth.proof && d.coin()) {
-    truth.collides = false;
-  }
-  return truth;
-}
-
 /// Any finite numbers at all, in any two shapes, and anything said of them.
 Case draw_any_case(Draw& d) {
   Case drawn;
   drawn.query = d.choose(3) == 3 ? draw_any_bodies(d) : draw_any_query(d);
-  if (d.coin()) drawn.truth = draw_any_truth(d, drawn.query);
+  if (d.coin()) drawn.truth = draw_any_truth(d, drawn.query, draw_rational);
   Origin& origin = drawn.origin;
   for (std::string* text : {&origin.contact, &origin.kind, &origin.generator, &origin.ccdfuzz,
                             &origin.name, &origin.note}) {
@@ -185,6 +153,40 @@ void spoil_text(Draw& choices, std::string& text) {
 }
 
 }  // namespace
+
+Truth draw_any_truth(Draw& d, const Query& query, DrawRational* draw_number) {
+  Truth truth;
+  if (d.coin()) {
+    truth.witness = Witness{draw_number(d), {}};
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto count = static_cast<std::size_t>(query.patches[s].shape.control_count());
+      if (is_of_bodies(query)) {
+        truth.witness->weights[s].assign(count, draw_number(d));
+      } else {
+        truth.witness->uv[s] = {draw_number(d), draw_number(d)};
+      }
+    }
+  }
+  if (d.coin()) truth.clear_until = draw_number(d);
+  if (d.coin()) truth.contact_box = draw_any_box(d);
+  if (d.coin()) {
+    ContactRoot root{{}, draw_number(d), draw_number(d)};
+    for (std::uint64_t k = d.choose(kMaxRootDegree); k > 0; --k) {
+      root.polynomial.push_back(draw_number(d).get_num());
+    }
+    truth.contact_root = std::move(root);
+  }
+  if (d.coin()) truth.clearance = draw_any_clearance(d, draw_number);
+  if (truth.clearance && d.coin()) truth.proof = proof_word(*truth.clearance);
+  if (!truth.proof && d.coin()) truth.proof = "rational-tdibm";
+  const bool is_contact = truth.witness || truth.contact_box || truth.contact_root;
+  if (is_contact && d.coin()) {
+    truth.collides = true;
+  } else if (truth.proof && d.coin()) {
+    truth.collides = false;
+  }
+  return truth;
+}
 
 void claim_reader_takes(const std::string& text) {
   const Result<Case> first = parse_case(text, "input");

@@ -9,8 +9,9 @@
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "files/case_json.hpp"
+#include "generators/draw_patch.hpp"
 #include "io/json_real.hpp"
-#include "properties/property.hpp"
+#include "properties/case_file.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -192,22 +193,6 @@ Rational draw_long_fraction(Draw& choices) {
   return choices.choose(7) == 0 ? Rational(-x) : x;
 }
 
-Shape draw_shape(Draw& choices, bool linear) {
-  const auto degree = [&] { return static_cast<int>(linear ? 1 : 1 + choices.choose(7)); };
-  switch (choices.choose(linear ? 2 : 3)) {
-    case 0:
-      return Shape::point();
-    case 1:
-      return Shape::curve(degree());
-    case 2:
-      return Shape::triangle(degree());
-    default: {
-      const int n = degree();
-      return Shape::tensor(n, degree());
-    }
-  }
-}
-
 /// A tree's bytes: any, or all splits down to some depth and the same leaf throughout.
 std::string draw_any_tree(Draw& choices) {
   constexpr std::size_t kLongest = 4000;
@@ -224,13 +209,13 @@ std::string draw_any_tree(Draw& choices) {
 /// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
 /// that the checker answers. How long it takes, and how much memory, is the driver's to see.
 void check_any_case(Draw& d) {
-  const bool linear = d.coin();
+  const int most_degree = d.coin() ? 1 : kMaxDegree;
   std::array<double, 6> numbers{};
   for (double& x : numbers) x = d.finite_double();
   Case value;
   value.query.t_max = std::abs(numbers[0]);
   for (MovingPatch<double>& patch : value.query.patches) {
-    patch.shape = draw_shape(d, linear);
+    patch.shape = draw_shape(d, most_degree);
     const auto count = static_cast<std::size_t>(patch.shape.control_count());
     // Each number a few times over, in an order that depends on the choices.
     std::size_t step = 1 + d.choose(4), at = 0;
@@ -241,45 +226,8 @@ void check_any_case(Draw& d) {
       if (i % 5 == 4) ++step;
     }
   }
-  const auto fraction = [&] { return draw_long_fraction(d); };
-  Truth& truth = value.truth;
-  std::string tree;
-  switch (d.choose(5)) {
-    case 0:
-      truth.witness = Witness{
-          fraction(), {Uv<Rational>{fraction(), fraction()}, Uv<Rational>{fraction(), fraction()}}};
-      break;
-    case 1: {
-      ContactBox box;
-      box.centre = {std::abs(d.finite_double()), 0.25, std::abs(d.finite_double()), 0.5,
-                    std::abs(d.finite_double())};
-      box.varied = {0, 2, 4};
-      for (double& radius : box.radius) radius = std::max(std::abs(d.finite_double()), 0x1p-1074);
-      for (auto& row : box.inverse) {
-        for (double& x : row) x = d.finite_double();
-      }
-      truth.contact_box = box;
-      break;
-    }
-    case 2:
-      truth.clearance = MovingPlane{fraction(), {fraction(), fraction(), fraction()}, fraction()};
-      break;
-    case 3:
-      tree = draw_any_tree(d);
-      truth.clearance = MissTree{fraction(), {0, 1, std::string(32, '0')}};
-      break;
-    case 4:
-      truth.clearance = LinearClearance{fraction(), d.coin()};
-      break;
-    default: {
-      ContactRoot root{{}, fraction(), fraction()};
-      for (std::uint64_t k = d.choose(kMaxRootDegree); k > 0; --k) {
-        root.polynomial.push_back(draw_long_integer(d));
-        if (d.coin()) root.polynomial.back() = -root.polynomial.back();
-      }
-      truth.contact_root = std::move(root);
-    }
-  }
+  value.truth = draw_any_truth(d, value.query, draw_long_fraction);
+  const std::string tree = draw_any_tree(d);
   const Result<Case> read = parse_case(to_json(value), "file");
   show(d, "read", read);
   show(d, "tree", AsHex{tree});
