@@ -7,7 +7,7 @@
 #include "certify/checker/check_case.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
-#include "properties/property.hpp"
+#include "properties/answers.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -24,8 +24,7 @@ const std::vector<std::string>& every_method() {
   static const std::vector<std::string> specs = [] {
     std::vector<std::string> made;
     for (const MethodInfo& info : registered_methods()) {
-      made.push_back(info.spec.ends_with(":F") ? info.spec.substr(0, info.spec.size() - 1) + "1e-12"
-                                               : info.spec);
+      made.push_back(spec_of(info));
     }
     made.push_back("tdibm-e" + std::string(kUnoptimised));
     return made;

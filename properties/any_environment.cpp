@@ -22,6 +22,7 @@
 #include "io/json_real.hpp"
 #include "io/json_write.hpp"
 #include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
 #include "properties/property.hpp"
@@ -244,8 +245,7 @@ std::string said_by(const std::string& spec, const Case& value) {
 
 void check_methods(Draw& d) {
   const std::vector<MethodInfo>& methods = registered_methods();
-  std::string spec = methods[d.choose(methods.size() - 1)].spec;
-  if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+  const std::string spec = spec_of(methods[d.choose(methods.size() - 1)]);
   const Case drawn = draw_tiny_case(d);
   show(d, "method", spec);
   show(d, "case", drawn);

@@ -3,7 +3,6 @@
 
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "files/case_json.hpp"
@@ -11,7 +10,7 @@
 #include "properties/against_oracle.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/draw_linear.hpp"
-#include "properties/no_false_negative.hpp"
+#include "properties/query_kind.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -28,22 +27,6 @@ Case case_of(const FirstContact& drawn) {
 
 Case draw_case_apart(Draw& d) {
   return case_of(supposed(draw_first_contact(d, true)));
-}
-
-/// The witness is one up to the distance of its points, and no further.
-void check_reach(Draw& d) {
-  const FirstContact drawn = supposed(draw_first_contact(d, true));
-  Case known = case_of(drawn);
-  show(d, "contact", known);
-  CLAIM(check_witness(known.query, *known.truth.witness).has_value());
-  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
-  CLAIM(read && read->query == known.query);
-  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
-    const Verdict verdict = make_method(method).value()->answer(known.query, kQuickSearch).verdict;
-    CLAIM(verdict == Verdict::kRefused);
-  }
-  known.query.separation = std::nextafter(known.query.separation, 0);
-  CLAIM(!check_witness(known.query, *known.truth.witness));
 }
 
 void check_not_early_apart(Draw& d) {
@@ -120,8 +103,6 @@ std::vector<Property> distances_claims() {
   constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 8";
   constexpr auto kRational = "src/ccd/rational/exact_scene.hpp";
   std::vector<Property> claims = {
-      {"separation.reach", "Points are in contact up to the separation, and no further", kMeaning,
-       check_reach},
       {"separation.not_early",
        "A hit at a distance is no earlier than the width of its boxes explains", kMeaning,
        check_not_early_apart},
@@ -131,12 +112,15 @@ std::vector<Property> distances_claims() {
       {"separation.refuses_proofs_of_touching",
        "Planes and linear decisions, which prove that nothing touches, prove no distance",
        "src/certify/checker/check_plane.hpp", check_proofs_of_touching},
-      {"separation.decision_is_proven", "What the oracle says of distances, the checker accepts",
-       "src/certify/oracle/oracle.hpp", is_proven_by_the_oracle(draw_case_apart)},
       {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
        kCertified, check_linear_apart},
   };
-  add_contact_claims(claims, "apart", "at a distance", {kCertified, kRational}, draw_case_apart);
+  add_claims_of(claims, {"separation",
+                         "apart",
+                         "at a distance",
+                         {kCertified, kRational},
+                         &Features::separation,
+                         draw_case_apart});
   return claims;
 }
 

@@ -6,6 +6,7 @@
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
+#include "properties/answers.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -25,11 +26,6 @@ Answer answer_of(Method& method, const Query& query, const SearchOptions& option
   return method.answer(query, options);
 }
 
-bool same(const Answer& x, const Answer& y) {
-  return x.verdict == y.verdict && x.toi == y.toi && x.uv == y.uv && x.pops == y.pops &&
-         x.note == y.note;
-}
-
 void check_no_state(Draw& d) {
   const char* name = d.pick(kEveryMethod);
   const Result<Case> first = draw_contact(d, {}), second = draw_contact(d, {});
@@ -40,8 +36,8 @@ void check_no_state(Draw& d) {
   show(d, "method", name);
   show(d, "asked", *first);
   show(d, "asked before", *second);
-  CLAIM(same(answer_of(*used, first->query), expected));
-  CLAIM(same(answer_of(*fresh, first->query), expected));
+  claim_same(answer_of(*used, first->query), expected);
+  claim_same(answer_of(*fresh, first->query), expected);
 }
 
 /// Any finite numbers in any two shapes. The answer is none that the judge calls an error, and
@@ -73,7 +69,7 @@ void check_optimised(Draw& d) {
   const auto fast = *make_method(name), plain = *make_method(name + std::string(kUnoptimised));
   show(d, "method", name);
   show(d, "contact", drawn);
-  CLAIM(same(answer_of(*fast, drawn.query), answer_of(*plain, drawn.query)));
+  claim_same(answer_of(*fast, drawn.query), answer_of(*plain, drawn.query));
 }
 
 /// About a contact of ordinary numbers: the second patch is lifted by up to 2^-3 of a unit, so that

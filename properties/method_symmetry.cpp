@@ -3,6 +3,7 @@
 #include "method/method.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
+#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 

@@ -10,7 +10,9 @@
 #include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
+#include "properties/linear_queries.hpp"
 #include "properties/show.hpp"
+#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
@@ -29,34 +31,26 @@ void claim_no_false_negative(const std::string& method, const Case& value,
   CLAIM(!is_false_negative(outcome) && outcome != Outcome::kError);
 }
 
-std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range,
+DrawCase contacts_in(const ContactRange& range) {
+  return [=](Draw& d) { return supposed(draw_contact(d, range)); };
+}
+
+Case draw_sized_contact(Draw& draw) {
+  return supposed(draw_contact(draw, draw.pick(std::array{kOrdinaryRange, kTiny, kManyBits})));
+}
+
+Case draw_transformed(Draw& draw) {
+  const Symmetry symmetry = draw.pick(kSymmetries);
+  return supposed(transformed(supposed(draw_contact(draw, kOrdinaryRange)), symmetry, draw));
+}
+
+std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw,
                                           SearchOptions options) {
-  return [=](Draw& d) {
-    const Case drawn = supposed(draw_contact(d, range));
-    claim_no_false_negative(method, drawn, options, d);
-  };
-}
-
-std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry) {
-  return [=](Draw& d) {
-    const Case before = supposed(draw_contact(d, kOrdinaryRange));
-    const Case after = supposed(transformed(before, symmetry, d));
-    show(d, "before", before);
-    claim_no_false_negative(method, after, kQuickSearch, d);
-  };
-}
-
-std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw) {
-  return [=](Draw& d) { claim_no_false_negative(method, draw(d), kQuickSearch, d); };
+  return [=](Draw& d) { claim_no_false_negative(method, draw(d), options, d); };
 }
 
 std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw) {
   return [=](Draw& d) { claim_kept(method, draw(d), d); };
-}
-
-std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range) {
-  return keeps_contacts(std::move(method),
-                        [=](Draw& d) { return supposed(draw_contact(d, range)); });
 }
 
 void claim_kept(const std::string& method, const Case& value, Draw& draw) {
@@ -77,12 +71,21 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw) {
   CLAIM(!has_cells || trace.levels == depth_for(kPrecision));
 }
 
-std::function<void(Draw&)> is_proven_by_the_oracle(DrawCase draw) {
-  return [=](Draw& d) {
-    const Case drawn = draw(d);
-    show(d, "contact", drawn);
-    constexpr std::uint64_t kFewPops = 300;
-    CLAIM(decide_briefly(drawn.query, kFewPops).truth.collides != false);
+std::vector<Property> contact_claims(const std::string& method, const std::string& source,
+                                     const SearchOptions& of_linear) {
+  return {
+      {method + ".no_false_negative",
+       "No proven contact is missed, and none reported late, also for coordinates about 2^-535, "
+       "of many bits, and about the ends of windows",
+       source, misses_nothing(method, draw_sized_contact)},
+      {method + ".no_false_negative_linear",
+       "No contact of a degenerate linear query is missed, and none reported late", source,
+       misses_nothing_linear(method, of_linear)},
+      {method + ".contact_transformed",
+       "No contact is lost after any change of coordinates that keeps it", source,
+       misses_nothing(method, draw_transformed)},
+      {method + ".trace", "No pair of boxes that holds a contact is dropped on the way", source,
+       keeps_contacts(method, contacts_in(kElsewhere))},
   };
 }
 

@@ -2,11 +2,11 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "ccd/search.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/property.hpp"
-#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
@@ -30,24 +30,32 @@ inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_
 void claim_no_false_negative(const std::string& method, const Case& value,
                              const SearchOptions& options, Draw& draw);
 
-/// Checks of that claim on drawn contacts, whose witnesses the checker accepts: any contact of a
-/// range, and one after a change of coordinates that keeps it.
-std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range = kOrdinaryRange,
-                                          SearchOptions options = kQuickSearch);
-std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry);
-/// The same of cases that are drawn so.
+/// A case with a witness that the checker accepts, drawn.
 using DrawCase = std::function<Case(Draw&)>;
-std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw);
+/// draw_contact of a range.
+DrawCase contacts_in(const ContactRange& range);
+/// A contact of the ordinary, the tiny or the many-bit range.
+Case draw_sized_contact(Draw& draw);
+/// An ordinary contact after a drawn change of coordinates that keeps it.
+Case draw_transformed(Draw& draw);
+
+/// Checks of that claim on drawn contacts.
+std::function<void(Draw&)> misses_nothing(std::string method,
+                                          DrawCase draw = contacts_in(kOrdinaryRange),
+                                          SearchOptions options = kQuickSearch);
 
 /// A search drops no pair of boxes that holds the witness of a case, and its window never loses the
 /// time of contact. Requires a witness within t_max.
 void claim_kept(const std::string& method, const Case& value, Draw& draw);
 /// Checks of that claim on drawn contacts.
-std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
-std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw);
+std::function<void(Draw&)> keeps_contacts(std::string method,
+                                          DrawCase draw = contacts_in(kOrdinaryRange));
 
-/// The oracle finds no proof that there is no contact, and the checker accepts what it finds.
-std::function<void(Draw&)> is_proven_by_the_oracle(DrawCase draw);
+/// What is claimed of contacts of plain patches, of each method that is proven to miss none:
+/// "METHOD.no_false_negative", "METHOD.no_false_negative_linear" by these options,
+/// "METHOD.contact_transformed" and "METHOD.trace".
+std::vector<Property> contact_claims(const std::string& method, const std::string& source,
+                                     const SearchOptions& of_linear);
 
 /// Appends two claims each of tdibm-c and tdibm-rational about contacts that are drawn so:
 /// "METHOD.no_false_negative_KIND" and "METHOD.trace_KIND". of: what their sentences say after

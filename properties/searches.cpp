@@ -4,6 +4,7 @@
 #include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/property.hpp"
@@ -129,10 +130,7 @@ void check_optimised_alike(Draw& d) {
   show_answer(d, "fast", fast);
   show_answer(d, "plain", plain);
   show(d, "query", query);
-  CLAIM(fast.verdict == plain.verdict);
-  CLAIM(fast.toi == plain.toi);
-  CLAIM(fast.uv == plain.uv);
-  CLAIM(fast.pops == plain.pops);
+  claim_same(fast, plain);
 }
 
 }  // namespace

@@ -17,23 +17,25 @@ namespace ccdfuzz {
 
 namespace {
 
-/// A contact that is known, and what the oracle says of the time before it.
+/// A contact of plain, rational or trimmed patches that is known, and what the oracle says of the
+/// time before it.
 struct ProvenContact {
   Case known;
   std::string tree;
 };
 
-using DrawKnown = Case (*)(Draw&);
-
-Case draw_plain(Draw& choices) {
-  return supposed(draw_contact(choices, {-2, 2, 2}));
-}
-Case draw_weighted(Draw& choices) {
-  return case_of(draw_weighted_contact(choices));
-}
-
-ProvenContact draw_proven_contact(Draw& choices, DrawKnown draw) {
-  ProvenContact out{draw(choices), {}};
+ProvenContact draw_proven_contact(Draw& choices) {
+  ProvenContact out;
+  switch (choices.choose(2)) {
+    case 0:
+      out.known = supposed(draw_contact(choices, {-2, 2, 2}));
+      break;
+    case 1:
+      out.known = case_of(draw_weighted_contact(choices));
+      break;
+    default:
+      out.known = draw_trimmed_contact(choices);
+  }
   const OracleOptions little{
       .max_pops = 60, .max_tree_nodes = 800, .known = out.known.truth.witness};
   Decision decision = decide(out.known.query, little);
@@ -74,9 +76,8 @@ std::string draw_tree(Draw& choices, const std::string& model) {
   return choices.coin() ? tree : tree + choices.text(8);
 }
 
-template <DrawKnown kDraw>
 void check_wrong_tree(Draw& d) {
-  const auto [known, model] = draw_proven_contact(d, kDraw);
+  const auto [known, model] = draw_proven_contact(d);
   const Rational until = draw_late(d, *known.truth.contact_by());
   const std::string tree = draw_tree(d, model);
   show(d, "until", until);
@@ -85,9 +86,8 @@ void check_wrong_tree(Draw& d) {
   CLAIM(!check_tree(known.query, until, tree));
 }
 
-template <DrawKnown kDraw>
 void check_wrong_plane(Draw& d) {
-  const Case known = draw_proven_contact(d, kDraw).known;
+  const Case known = draw_proven_contact(d).known;
   const Truth& truth = known.truth;
   MovingPlane plane{0, {1, 0, 0}, 0};
   if (truth.clearance) {
@@ -118,9 +118,8 @@ double draw_double_like(Draw& choices, double model) {
   }
 }
 
-template <DrawKnown kDraw>
 void check_wrong_box(Draw& d) {
-  Case known = draw_proven_contact(d, kDraw).known;
+  Case known = draw_proven_contact(d).known;
   const Truth& truth = known.truth;
   suppose(truth.clearance && truth.witness);
   ContactBox box = truth.contact_box.value_or(ContactBox{});
@@ -149,7 +148,7 @@ void check_wrong_box(Draw& d) {
 
 /// At one with each other are a contact and a clearance that does not cover it.
 void check_wrong_texts(Draw& d) {
-  const auto [known, tree] = draw_proven_contact(d, draw_plain);
+  const auto [known, tree] = draw_proven_contact(d);
   const std::string text = draw_spoilt_text(d, to_json(known));
   const Result<Case> read = parse_case(text, "input");
   if (!read || !check_truth(*read)) return;
@@ -166,26 +165,11 @@ std::vector<Property> spoilt_certificates_claims() {
   constexpr auto kSource = "src/case/certificate.hpp";
   return {
       {"checker.refuses_wrong_trees", "No tree of separating axes covers the time of a contact",
-       kSource, check_wrong_tree<draw_plain>},
+       kSource, check_wrong_tree},
       {"checker.refuses_wrong_planes", "No moving plane separates up to after a contact", kSource,
-       check_wrong_plane<draw_plain>},
+       check_wrong_plane},
       {"checker.refuses_wrong_boxes", "No box holds a contact at a time that is proven to be clear",
-       kSource, check_wrong_box<draw_plain>},
-      {"checker.refuses_wrong_trees_weighted",
-       "No tree of separating axes covers the time of a contact of rational patches", kSource,
-       check_wrong_tree<draw_weighted>},
-      {"checker.refuses_wrong_planes_weighted",
-       "No moving plane separates rational patches up to after a contact", kSource,
-       check_wrong_plane<draw_weighted>},
-      {"checker.refuses_wrong_boxes_weighted",
-       "No box of rational patches holds a contact at a time that is proven to be clear", kSource,
-       check_wrong_box<draw_weighted>},
-      {"checker.refuses_wrong_trees_trimmed",
-       "No tree of separating axes covers the time of a contact of trimmed patches", kSource,
-       check_wrong_tree<draw_trimmed_contact>},
-      {"checker.refuses_wrong_boxes_trimmed",
-       "No box of trimmed patches holds a contact at a time that is proven to be clear", kSource,
-       check_wrong_box<draw_trimmed_contact>},
+       kSource, check_wrong_box},
       {"checker.refuses_wrong_texts",
        "Certificates in texts that are almost case files are refused, or agree with each other",
        kSource, check_wrong_texts},

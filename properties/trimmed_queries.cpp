@@ -15,9 +15,10 @@
 #include "fuzz/mutator/trim_moves.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/draw_trimmed.hpp"
-#include "properties/no_false_negative.hpp"
+#include "properties/query_kind.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -34,12 +35,8 @@ void check_trim_whole(Draw& d) {
   }
   suppose(is_trimmed(trimmed));
   show(d, "query", trimmed);
-  for (const std::string method : {"tdibm-rational", "tdibm", "tdibm-e", "trad"}) {
-    const auto asked = make_method(method).value();
-    const Answer a = asked->answer(trimmed, kQuickSearch);
-    const Answer b = asked->answer(plain.query, kQuickSearch);
-    CLAIM(a.verdict == b.verdict && a.toi == b.toi && a.uv == b.uv && a.pops == b.pops);
-  }
+  claim_answered_alike(std::array{"tdibm-rational", "tdibm", "tdibm-e", "trad"}, trimmed,
+                       plain.query, kQuickSearch);
 }
 
 /// Each method drops a pair of cells that holds a contact of the region only if it does so of the
@@ -107,15 +104,6 @@ void check_trim_linear(Draw& d) {
   CLAIM(decide(query, kLittle).truth.collides != !counts);
   const Verdict verdict = verdict_near_regions(d, query, "tdibm-c");
   CLAIM(!counts || verdict != Verdict::kMiss);
-}
-
-/// The checker accepts what the oracle says, or this throws; where the contact counts, it never
-/// says that there is none.
-void check_trim_decision(Draw& d) {
-  const Case known = draw_trimmed(d);
-  show(d, "query", known.query);
-  const Decision decision = decide(known.query, kLittle);
-  CLAIM(!is_in_regions(known) || decision.truth.collides != false);
 }
 
 /// A first contact is in a hole, at t_max, and nowhere else. The whole patches touch, and the
@@ -264,8 +252,6 @@ std::vector<Property> trimmed_queries_claims() {
        check_trim_hits},
       {"trims.linear", "A point meets a trimmed triangle iff it comes to the region of its trim",
        kCertified, check_trim_linear},
-      {"trims.decision_is_proven", "What the oracle says of trimmed patches, the checker accepts",
-       "src/certify/oracle/oracle.hpp", check_trim_decision},
       {"trims.hole", "A contact in a hole is none, by a proof that is none of the whole patch",
        kChecker, check_trim_hole},
       {"checker.refuses_wrong_outsides", "No whole patch is outside of its trim", kChecker,
@@ -275,8 +261,12 @@ std::vector<Property> trimmed_queries_claims() {
       {"mutator.keeps_trims", "Changed loops are valid, and the contact is in their region",
        "fuzz/mutator/trim_moves.hpp", check_trim_moves},
   };
-  add_contact_claims(claims, "trimmed", "of trimmed patches", {kCertified, kRational},
-                     draw_trimmed_contact);
+  add_claims_of(claims, {"trims",
+                         "trimmed",
+                         "of trimmed patches",
+                         {kCertified, kRational},
+                         &Features::trims,
+                         draw_trimmed});
   return claims;
 }
 

@@ -6,12 +6,8 @@
 #include "bezier/trim.hpp"
 #include "bezier/trim_region.hpp"
 #include "certify/checker/check_trim.hpp"
-#include "certify/checker/check_truth.hpp"
-#include "files/case_json.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/draw_trim.hpp"
-#include "method/taken_query.hpp"
 #include "properties/draw_trimmed.hpp"
 #include "properties/show.hpp"
 
@@ -68,25 +64,6 @@ void check_trim_orientation(Draw& d) {
   const Rational area = way(1, 0) * way(2, 1) - way(1, 1) * way(2, 0);
   show(d, "points", p);
   CLAIM(orientation(p[0], p[1], p[2]) == sgn(area));
-}
-
-/// A trim means the same to generator, checker, methods, files and fuzzers.
-void check_trim_meaning(Draw& d) {
-  const Case known = draw_trimmed(d);
-  show(d, "contact", known);
-  const bool is_inside = is_in_regions(known);
-  CLAIM(check_truth(known).has_value() == is_inside);
-  const auto q = supposed(contact_of(known));
-  CLAIM(is_in_trims(q) == is_inside);
-  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
-  CLAIM(read && read->query == known.query);
-  const auto bytes = to_bytes(q);
-  const auto of_bytes = bytes ? query_of(*bytes) : std::nullopt;
-  CLAIM(!bytes || (of_bytes && *of_bytes == known.query));
-  CLAIM(!bytes || contact_of_bytes(*bytes, QueryRange::kAll).has_value() == is_inside);
-  CLAIM(!bytes || !contact_of_bytes(*bytes));
-  const TakenQuery taken(known.query, {.ends = true, .separation = true, .weights = true});
-  CLAIM(taken.query() == nullptr);
 }
 
 /// What spoils loops is refused, naming the loop; what a draw gives is not.
@@ -183,8 +160,6 @@ void check_trim_cells(Draw& d) {
 
 std::vector<Property> trims_claims() {
   return {
-      {"trims.meaning", "A trim means the same to generator, checker, files and fuzzers",
-       "src/bezier/patch.hpp", check_trim_meaning},
       {"trims.valid", "Loops that no patch may have are refused, naming the field",
        "src/bezier/trim.hpp", check_trim_valid},
       {"trims.orientation", "On which side of a line a point is, is exact for all doubles",

@@ -18,10 +18,11 @@
 #include "fuzz/mutator/case_bytes.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/draw_weighted.hpp"
 #include "properties/linear_queries.hpp"
-#include "properties/no_false_negative.hpp"
+#include "properties/query_kind.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -30,55 +31,6 @@ namespace {
 
 Case draw_weighted_case(Draw& d) {
   return case_of(draw_weighted_contact(d));
-}
-
-/// Σ w·B·(p + t·v) / Σ w·B, term by term.
-Vec3<Rational> rational_point(const MovingPatch<double>& given, const Uv<Rational>& uv,
-                              const Rational& t) {
-  const MovingPatch<Rational> patch = exact_patch<Rational>(given);
-  const std::vector<Rational> weights = bernstein_weights<Rational>(patch.shape, uv);
-  const Points<Rational> points = patch.at(t);
-  Rational sum = 0;
-  Vec3<Rational> numerator(0, 0, 0);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const Rational w = patch.weights.empty() ? weights[i] : Rational(weights[i] * patch.weights[i]);
-    sum += w;
-    for (int k = 0; k < 3; ++k) numerator[k] += w * points[i][k];
-  }
-  for (int k = 0; k < 3; ++k) numerator[k] /= sum;
-  return numerator;
-}
-
-void check_meaning(Draw& d) {
-  const Contact q = draw_weighted_contact(d);
-  Case known = case_of(q);
-  show(d, "contact", known);
-  Witness& witness = *known.truth.witness;
-  const auto& patches = known.query.patches;
-  CLAIM(rational_point(patches[0], witness.uv[0], witness.t) ==
-        rational_point(patches[1], witness.uv[1], witness.t));
-  CLAIM(check_truth(known).has_value());
-  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
-  CLAIM(read && read->query == known.query);
-  const auto bytes = to_bytes(q);
-  CLAIM(!bytes || contact_of_bytes(*bytes, QueryRange::kAll)->query == q.query);
-  CLAIM(!bytes || !contact_of_bytes(*bytes));
-  for (const std::string method : {"tdibm-e", "tdibm-e-literal"}) {
-    const Verdict verdict = make_method(method).value()->answer(known.query, kQuickSearch).verdict;
-    CLAIM(verdict == Verdict::kRefused);
-  }
-  // A witness elsewhere is one iff both points are the same there.
-  const std::size_t side = d.choose(1), k = d.choose(1);
-  witness.uv[side][k] += Rational(static_cast<long>(d.integer(-4, 4))) / 64;
-  suppose(patches[side].shape.contains(witness.uv[side]));
-  const bool touches = rational_point(patches[0], witness.uv[0], witness.t) ==
-                       rational_point(patches[1], witness.uv[1], witness.t);
-  CLAIM(check_witness(known.query, witness).has_value() == touches);
-}
-
-/// The same answer, to the bit.
-void claim_same(const Answer& a, const Answer& b) {
-  CLAIM(a.verdict == b.verdict && a.toi == b.toi && a.uv == b.uv && a.pops == b.pops);
 }
 
 /// Equal weights are none, to each method.
@@ -91,11 +43,9 @@ void check_equal_weights(Draw& d) {
     patch.weights.assign(patch.positions.size(), weight);
   }
   show(d, "query", weighted);
-  for (const std::string method :
-       {"tdibm-c", "tdibm-rational", "oracle", "tdibm", "tdibm-e", "trad"}) {
-    const auto asked = make_method(method).value();
-    claim_same(asked->answer(weighted, kQuickSearch), asked->answer(plain.query, kQuickSearch));
-  }
+  claim_answered_alike(
+      std::array{"tdibm-c", "tdibm-rational", "oracle", "tdibm", "tdibm-e", "trad"}, weighted,
+      plain.query, kQuickSearch);
 }
 
 /// Weights are valid iff they are finite, > 0 and of exponents that are near enough.
@@ -129,10 +79,8 @@ void check_scaled_weights(Draw& d) {
   const auto exponent = static_cast<int>(d.integer(-1000, 960));
   for (double& w : scaled.patches[d.choose(1)].weights) w = std::ldexp(w, exponent);
   show(d, "query", query);
-  for (const std::string method : {"tdibm-c", "tdibm-rational", "tdibm", "trad"}) {
-    const auto asked = make_method(method).value();
-    claim_same(asked->answer(scaled, kQuickSearch), asked->answer(query, kQuickSearch));
-  }
+  claim_answered_alike(std::array{"tdibm-c", "tdibm-rational", "tdibm", "trad"}, scaled, query,
+                       kQuickSearch);
   claim_same(make_method("tdibm").value()->answer(query, kQuickSearch),
              make_method("tdibm@unoptimised").value()->answer(query, kQuickSearch));
 }
@@ -182,7 +130,7 @@ void check_linear_place(Draw& d) {
     const Answer answer = make_method(method).value()->answer(query, kQuickSearch);
     CLAIM(answer.verdict == Verdict::kHit);
     const auto& [u, v] = answer.uv[0];
-    const Vec3<Rational> at = rational_point(edge, {exact(u), exact(v)}, 0);
+    const Vec3<Rational> at = point_of(edge, {exact(u), exact(v)}, 0);
     const double off = std::hypot(at[0].get_d() - x, at[1].get_d() - y);
     show(d, "off", off);
     CLAIM(off < 0x1p-10);
@@ -192,23 +140,6 @@ void check_linear_place(Draw& d) {
 void check_not_early(Draw& d) {
   const FirstContact drawn = draw_weighted_first_contact(d);
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
-}
-
-/// The checker accepts what the oracle says, or this throws; before a first contact it says that
-/// there is none.
-void check_decision(Draw& d) {
-  const OracleOptions little{.max_pops = 300, .max_tree_nodes = 1000};
-  if (d.coin()) {
-    const Case known = draw_weighted_case(d);
-    show(d, "contact", known);
-    CLAIM(decide(known.query, little).truth.collides != false);
-    return;
-  }
-  const FirstContact drawn = draw_weighted_first_contact(d);
-  Query query = drawn.query;
-  query.t_max = 0.5 * drawn.t;
-  show(d, "query", query);
-  CLAIM(decide(query, little).truth.collides != true);
 }
 
 /// A tree that separates up to a time is refused after the first contact. A plane through the
@@ -335,8 +266,6 @@ std::vector<Property> weights_claims() {
   constexpr auto kPatch = "src/bezier/patch.hpp";
   constexpr auto kChecker = "src/case/certificate.hpp";
   std::vector<Property> claims = {
-      {"weights.meaning", "Weights mean the same to generator, checker, files and fuzzers", kPatch,
-       check_meaning},
       {"weights.valid", "Weights are valid iff they are > 0 and of exponents at most 60 apart",
        "src/case/query.hpp", check_valid},
       {"weights.equal_are_none", "Equal weights change no bit of an answer", kPatch,
@@ -347,9 +276,6 @@ std::vector<Property> weights_claims() {
        "src/ccd/certified/DERIVATION.md, 6", check_linear},
       {"weights.linear_place", "Parameters of contacts of linear patches are those with weights",
        "src/ccd/certified/DERIVATION.md, 6", check_linear_place},
-      {"weights.decision_is_proven",
-       "What the oracle says of rational patches, the checker accepts",
-       "src/certify/oracle/oracle.hpp", check_decision},
       {"weights.clearances", "Planes and trees of rational patches prove what is before a contact",
        kChecker, check_clearances},
       {"weights.not_early", "A hit on rational patches is no earlier than its boxes explain",
@@ -358,8 +284,12 @@ std::vector<Property> weights_claims() {
        "Control points of cells of rational patches are off by the roundings counted at most",
        kCertified, check_cells},
   };
-  add_contact_claims(claims, "weighted", "of rational patches", {kCertified, kRational},
-                     draw_weighted_case);
+  add_claims_of(claims, {"weights",
+                         "weighted",
+                         "of rational patches",
+                         {kCertified, kRational},
+                         &Features::weights,
+                         draw_weighted_case});
   return claims;
 }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+#include "method/method.hpp"
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// A spec that makes a registered method, with a parameter where it takes one.
+inline std::string spec_of(const MethodInfo& info) {
+  std::string spec = info.spec;
+  if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+  return spec;
+}
+
+/// The same answer, to the bit.
+inline void claim_same(const Answer& a, const Answer& b) {
+  CLAIM(a.verdict == b.verdict && a.toi == b.toi && a.uv == b.uv && a.pops == b.pops);
+  CLAIM(a.note == b.note);
+}
+
+/// Each of the methods has the same answer to both queries, to the bit.
+template <std::size_t N>
+void claim_answered_alike(const std::array<const char*, N>& methods, const Query& a, const Query& b,
+                          const SearchOptions& options) {
+  for (const char* name : methods) {
+    const auto method = make_method(name).value();
+    claim_same(method->answer(a, options), method->answer(b, options));
+  }
+}
+
+}  // namespace ccdfuzz
