@@ -30,7 +30,7 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
   return position.scaled(length_shift) + velocity.scaled(length_shift + horizon);
 }
 
-/// Of plain patches, of such with ends, and of rational ones.
+/// The patches are plain, have ends, or are rational.
 void check_filter(Draw& d) {
   Query query = draw_extreme_query(d);
   const std::uint64_t kind = d.choose(2);

@@ -22,9 +22,9 @@ void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs
 /// time at which the other is clear. Discarded where one is undecided.
 void claim_same_time(const Truth& one, const Truth& other);
 
-/// The oracle says the same of bodies that are given otherwise: swapped, scaled, with points in
-/// another order, turns of other lengths, spins along other axes, and meshes with faces in another
-/// order, one of them twice, and a point more. truth: what it says of the query.
+/// The oracle says the same of bodies that are given otherwise: swapped, scaled, and with points in
+/// another order. Turns have other lengths, and spins are along other axes. A mesh has its faces in
+/// another order, one of them twice, and a point more. truth: what it says of the query.
 void claim_same_otherwise(Draw& d, const Query& query, const Truth& truth);
 
 }  // namespace ccdfuzz

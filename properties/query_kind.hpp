@@ -20,8 +20,8 @@ Vec3<Rational> point_of(const MovingPatch<double>& patch, const Uv<Rational>& uv
                         const Rational& t);
 
 /// The checker accepts a witness iff it is in [0, t_max] and in both regions, and its points are no
-/// farther apart than the separation. It is that of the case, or one thing is changed: the time or
-/// the place, the end of the time step, a patch or the separation.
+/// farther apart than the separation. It is that of the case, or one thing is changed: its time or
+/// place, the time step, a patch or the separation.
 void claim_judged_by_meaning(Draw& d, Case known);
 
 /// Appends the claims of a kind:
