@@ -9,6 +9,7 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/attempts.hpp"
 #include "generators/just_missing.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/whole_frame.hpp"
@@ -320,7 +321,7 @@ tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
 }
 
 ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {
-  std::array<size_t, 2> features{};  // 0: face, 1: edge, 2: vertex
+  std::array<Feature, 2> features{};
   for (size_t s = 0; s < 2; ++s) {
     std::vector<Rational> heights;
     for (const Vec3<double>& p : query.patches[s].positions) {
@@ -330,13 +331,9 @@ ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& 
     }
     const Rational& highest = *std::max_element(heights.begin(), heights.end());
     const auto count = std::count(heights.begin(), heights.end(), highest);
-    features[s] = count == 1 ? 2 : count == 2 ? 1 : 0;
+    features[s] = count == 1 ? Feature::kCorner : count == 2 ? Feature::kEdge : Feature::kFace;
   }
-  std::sort(features.begin(), features.end());
-  using enum ContactClass;
-  constexpr std::array<std::array<ContactClass, 3>, 3> kClasses = {
-      {{kFF, kEF, kVF}, {kEF, kEE, kVE}, {kVF, kVE, kVV}}};
-  return kClasses[features[0]][features[1]];
+  return class_between(features[0], features[1]);
 }
 
 std::optional<Case> case_of_bodies(const Query& query) {

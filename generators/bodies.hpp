@@ -24,23 +24,11 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 /// RN: the same patches with t_max = t* − eps_t. NMN: moved away from each other, and moving along
 /// the plane: they pass by at a distance that is proven.
 ///
-/// With options.plane all is in the plane z = 0, and the frame's second direction out of it.
-tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Draw& draw);
-
-/// The same, before its truth is checked. In the families that graze, the bodies move along the
-/// plane and stay on its two sides.
-/// Certificate K has the plane's normal then, and does not hold.
+/// With options.plane all is in the plane z = 0, and the frame's second direction out of it. In the
+/// families that graze, the bodies move along the plane and stay on its two sides. Certificate K
+/// has the plane's normal then, and does not hold; in the others it was not checked yet.
 tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const Dyadic& eps_t,
                                           Draw& draw);
-
-/// One attempt at a case of two bodies that touch without depth, by t* at the latest: they move
-/// along the plane that is between them. So a vertex passes exactly through another, or along a
-/// face. A ball touches an edge or a vertex for one instant, as it passes by. The oracle decides.
-/// RP: kept is what is apart at 0 and touches. NMN: they are moved apart by a step
-/// (just_missing.hpp).
-tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
-                                                const Dyadic& eps_t, Draw& draw);
 
 /// The class of a contact of bodies: what of each lies on its support plane of this normal, which
 /// is towards the second; 1 point, 2, or more.

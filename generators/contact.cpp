@@ -126,15 +126,8 @@ std::optional<Contact> contact_of(const Case& known) {
 }
 
 ContactClass contact_class_of(const Contact& q) {
-  // From the feature of one patch and of the other: the order of the patches is nothing.
-  constexpr std::array<std::array<ContactClass, 3>, 3> kClasses = {
-      {{ContactClass::kFF, ContactClass::kEF, ContactClass::kVF},
-       {ContactClass::kEF, ContactClass::kEE, ContactClass::kVE},
-       {ContactClass::kVF, ContactClass::kVE, ContactClass::kVV}}};
-  const auto place = [&](size_t side) {
-    return static_cast<size_t>(feature_at(q.query.patches[side].shape, q.uv[side]));
-  };
-  return kClasses[place(0)][place(1)];
+  const auto& [a, b] = q.query.patches;
+  return class_between(feature_at(a.shape, q.uv[0]), feature_at(b.shape, q.uv[1]));
 }
 
 Witness Contact::witness() const {

@@ -32,11 +32,7 @@ ContactFrame draw_frame(Draw& choices) {
 }
 
 Vec3<Dyadic> in_frame(const ContactFrame& frame, const Vec3<Dyadic>& local) {
-  Vec3<Dyadic> out = {Dyadic(), Dyadic(), Dyadic()};
-  for (int c = 0; c < 3; ++c) {
-    for (int k = 0; k < 3; ++k) out[k] += frame[static_cast<std::size_t>(c)][k] * local[c];
-  }
-  return out;
+  return frame[0] * local[0] + frame[1] * local[1] + frame[2] * local[2];
 }
 
 /// For each control point, whether its Bernstein weight at uv is not 0.
@@ -44,11 +40,6 @@ std::vector<bool> bearing_controls(const Shape& shape, const Uv<Dyadic>& uv) {
   std::vector<bool> bearing;
   for_each_control(shape, [&](int i, int j) { bearing.push_back(bears(shape, uv, i, j)); });
   return bearing;
-}
-
-Result<double> as_double(const Dyadic& x) {
-  if (const auto d = x.to_double_exactly()) return *d;
-  return input_error("", "a number is not a double");
 }
 
 /// Control points at the moment of contact and velocities, in the frame and relative to the
@@ -136,17 +127,14 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
     const Side side = draw_side(choices, range, s);
     MovingPatch<double>& patch = drawn.query.patches[s];
     patch.shape = side.shape;
+    Points<Dyadic> positions, velocities;
     for (std::size_t i = 0; i < side.local.size(); ++i) {
       const Vec3<Dyadic> v = common + in_frame(frame, side.velocity[i]);
-      const Vec3<Dyadic> p = contact + in_frame(frame, side.local[i]) - v * t;
-      Vec3<double> position, velocity;
-      for (int k = 0; k < 3; ++k) {
-        CCDFUZZ_TRY(position[k], as_double(p[k].scaled(scale)));
-        CCDFUZZ_TRY(velocity[k], as_double(v[k].scaled(scale)));
-      }
-      patch.positions.push_back(position);
-      patch.velocities.push_back(velocity);
+      velocities.push_back(v);
+      positions.push_back(contact + in_frame(frame, side.local[i]) - v * t);
     }
+    CCDFUZZ_TRY(patch.positions, scaled_doubles(positions, scale));
+    CCDFUZZ_TRY(patch.velocities, scaled_doubles(velocities, scale));
     if (choices.coin()) draw_twins(choices, side, patch);
     drawn.truth.witness->uv[s] = {side.uv[0].rational(), side.uv[1].rational()};
   }

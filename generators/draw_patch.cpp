@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bezier/exact_patch.hpp"
 #include "files/case_json.hpp"
 
 namespace ccdfuzz {
@@ -18,6 +19,27 @@ Shape draw_shape(Draw& choices, int max_degree) {
   if (kind == 2) return Shape::triangle(n);
   const auto m = static_cast<int>(choices.integer(1, max_degree));
   return Shape::tensor(n, m);
+}
+
+Shape draw_surface(Draw& choices, int max_degree) {
+  const auto n = static_cast<int>(choices.integer(1, max_degree));
+  if (!choices.coin()) return Shape::triangle(n);
+  return Shape::tensor(n, static_cast<int>(choices.integer(1, max_degree)));
+}
+
+Vec3<double> draw_integers(Draw& choices, std::int64_t most) {
+  Vec3<double> v;
+  for (double& x : v) x = static_cast<double>(choices.integer(-most, most));
+  return v;
+}
+
+Result<Points<double>> scaled_doubles(Points<Dyadic> points, long scale) {
+  for (Vec3<Dyadic>& p : points) {
+    for (Dyadic& x : p) x = x.scaled(scale);
+  }
+  const std::optional<Points<double>> doubles = to_doubles(points);
+  if (!doubles) return input_error("", "a number is not a double");
+  return *doubles;
 }
 
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent) {
@@ -110,6 +132,18 @@ void draw_coordinates(Draw& choices, bool all_alike, std::array<Points<double>*,
 }
 
 }  // namespace
+
+Query draw_small_query(Draw& choices, int max_degree) {
+  Query query;
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.shape = max_degree == 0 ? Shape::point() : draw_shape(choices, max_degree);
+    for (int i = 0; i < patch.shape.control_count(); ++i) {
+      patch.positions.push_back(draw_integers(choices, 8));
+      patch.velocities.push_back(draw_integers(choices, 15) / 8);
+    }
+  }
+  return query;
+}
 
 Query draw_any_query(Draw& choices) {
   Query drawn;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/result.hpp"
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
 #include "case/query.hpp"
@@ -11,8 +12,17 @@ namespace ccdfuzz {
 /// Any of the four shapes, of degree at most max_degree.
 Shape draw_shape(Draw& choices, int max_degree);
 
+/// A triangle or a tensor patch of degree at most max_degree.
+Shape draw_surface(Draw& choices, int max_degree);
+
+/// Three whole numbers from −most to most.
+Vec3<double> draw_integers(Draw& choices, std::int64_t most);
+
 /// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent);
+
+/// The points times 2^scale. Errors: a number is no double then.
+Result<Points<double>> scaled_doubles(Points<Dyadic> points, long scale);
 
 /// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
 Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
@@ -21,6 +31,10 @@ Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
 Cell draw_cell_at(Draw& choices, const Shape& shape, std::int64_t depth);
 /// A cell of depth at most max_depth.
 Cell draw_cell(Draw& choices, const Shape& shape, int max_depth);
+
+/// Integer coordinates within 8 of 0 and speeds of less than 2, in any two shapes of degree at most
+/// max_degree; of points if that is 0. t_max is 1.
+Query draw_small_query(Draw& choices, int max_degree);
 
 /// Any finite numbers at all, in any two shapes of degree at most 2.
 Query draw_any_query(Draw& choices);

@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// The exponent e of the patches' size, 2^(e-1) to 2^e; 0 if both are one point.
-int size_exponent(const Query& query) {
-  double size = 0;
-  const Vec3<double>& first = query.patches[0].positions[0];
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (const Vec3<double>& p : patch.positions) {
-      for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(p[k] - first[k]));
-    }
-  }
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return exponent;
-}
 
 /// The case with a vector of short numbers as `part`: of up to 2^40 times its size, or of as much
 /// as its bits allow.
@@ -30,8 +17,7 @@ Case moved(const Case& base, int size, Vec3<double> Similarity::*part, Draw& dra
   const auto between = [&](int lo, int hi) { return static_cast<int>(draw.integer(lo, hi)); };
   if (between(0, 1) == 0) return base;
   const int farthest = between(0, kFarthest);
-  Vec3<double> numbers;
-  for (int k = 0; k < 3; ++k) numbers[k] = between(-kMost, kMost);
+  const Vec3<double> numbers = draw_integers(draw, kMost);
   for (int e = farthest; e >= 0; e -= kStep) {
     Similarity change;
     for (int k = 0; k < 3; ++k) (change.*part)[k] = std::ldexp(numbers[k], size + e - kBits);
@@ -51,6 +37,19 @@ Case rescaled(const Case& base, Draw& draw) {
 }
 
 }  // namespace
+
+int size_exponent(const Query& query) {
+  double size = 0;
+  const Vec3<double>& first = query.patches[0].positions[0];
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(p[k] - first[k]));
+    }
+  }
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return exponent;
+}
 
 Case elsewhere(const Case& base, Draw& draw) {
   const int size = size_exponent(base.query);

@@ -4,6 +4,7 @@
 
 #include "base/verify.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
@@ -27,11 +28,6 @@ bool give_exact_ends(MovingPatch<double>& patch) {
 std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarity, 2>* changes) {
   int size = 0;
   std::frexp(query.patches[0].positions[0].cwiseAbs().maxCoeff(), &size);
-  const auto vector = [&] {
-    const auto x = static_cast<double>(draw.integer(-3, 3)),
-               y = static_cast<double>(draw.integer(-3, 3));
-    return Vec3<double>(x, y, static_cast<double>(draw.integer(-3, 3)));
-  };
   std::optional<Query> out = query;
   const auto change_by = [&](const Similarity& change, std::size_t i) {
     const std::optional<Query> moved = similar(*out, change);
@@ -41,7 +37,7 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
     return true;
   };
   constexpr int kStep = 4, kLeast = 2;
-  const Vec3<double> little = vector();
+  const Vec3<double> little = draw_integers(draw, 3);
   int exponent = -static_cast<int>(draw.integer(30, 45));
   const auto by_little = [&] {
     const Vec3<double> shift = std::ldexp(1, size + exponent) * little;
@@ -50,7 +46,7 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
   while (!by_little()) {
     if ((exponent += kStep) > -kLeast) return std::nullopt;
   }
-  const Vec3<double> much = vector();
+  const Vec3<double> much = draw_integers(draw, 3);
   exponent = static_cast<int>(draw.integer(5, 30));
   while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much}, 1)) {
     if ((exponent -= kStep) < kLeast) return std::nullopt;
@@ -60,11 +56,8 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
 
 tl::expected<Case, Discard> ends_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                       Draw& draw) {
-  GeneratorOptions plain = options;
-  plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  plain.kind = CaseKind::kRP;
-  if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-  CCDFUZZ_TRY(Case made, shaped_case(plain, eps_t, draw));
+  const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
+  CCDFUZZ_TRY(Case made, plain_case(family, options, eps_t, draw));
   for (MovingPatch<double>& patch : made.query.patches) {
     if (!give_exact_ends(patch)) return tl::unexpected(Discard::kRoundTrip);
   }

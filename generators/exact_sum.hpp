@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "numeric/dyadic.hpp"
+
 namespace ccdfuzz {
 
 /// a += b. Returns false, with a rounded, if the sum is no double.
@@ -11,6 +13,11 @@ inline bool add_exactly(double& a, double b) {
   const double error = (a - (sum - part)) + (b - part);
   a = sum;
   return std::isfinite(sum) && error == 0;
+}
+
+/// The exponent e with |x| < 2^e ≤ 2|x|; x ≠ 0.
+inline long top_of(const Dyadic& x) {
+  return x.exponent() + static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
 }
 
 }  // namespace ccdfuzz

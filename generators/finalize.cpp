@@ -21,6 +21,15 @@ std::optional<Query> to_query(const Scene& scene) {
   return query;
 }
 
+void say_clear(Case& value, double t_max) {
+  value.query.t_max = t_max;
+  Truth& truth = value.truth;
+  truth.collides = false;
+  truth.witness.reset();
+  const bool is_certified = truth.clearance && covers(*truth.clearance, exact(t_max));
+  truth.proof = is_certified ? proof_word(*truth.clearance) : "rational-tdibm";
+}
+
 Case finalize(const Scene& scene, const Query& query, CaseKind kind,
               const std::optional<Absence>& clear) {
   Case result;
@@ -34,15 +43,14 @@ Case finalize(const Scene& scene, const Query& query, CaseKind kind,
     result.truth.clear_until = clear->until.rational();
     if (clear->plane) result.truth.clearance = *clear->plane;
   }
-  result.truth.collides = kind == CaseKind::kRP || kind == CaseKind::kNHP;
-  if (*result.truth.collides) {
+  if (kind == CaseKind::kRP || kind == CaseKind::kNHP) {
+    result.truth.collides = true;
     result.truth.witness = witness;
   } else {
     CCDFUZZ_VERIFY(clear);
     const std::optional<double> t_max = clear->until.to_double_exactly();
     CCDFUZZ_VERIFY(t_max);  // t* is a multiple of 2^-3 in (0, 1], eps_T at least 2^-40
-    result.query.t_max = *t_max;
-    result.truth.proof = clear->plane ? proof_word(*result.truth.clearance) : "rational-tdibm";
+    say_clear(result, *t_max);
   }
   return result;
 }

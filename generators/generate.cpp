@@ -5,24 +5,18 @@
 #include <algorithm>
 
 #include "base/verify.hpp"
+#include "generators/attempts.hpp"
 #include "generators/bodies.hpp"
 #include "generators/elsewhere.hpp"
-#include "generators/ends.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
-#include "generators/mesh.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
-#include "generators/round.hpp"
-#include "generators/separated.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
-#include "generators/trimmed.hpp"
-#include "generators/turning.hpp"
 #include "generators/twins.hpp"
-#include "generators/weighted.hpp"
 
 namespace ccdfuzz {
 
@@ -170,39 +164,10 @@ tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const
   return attempt(base, eps_t, draw).map([&](const Case& made) { return elsewhere(made, draw); });
 }
 
-auto attempt_of(const GeneratorOptions& options) {
-  switch (options.family) {
-    case Family::kAnywhere:
-      return case_anywhere;
-    case Family::kBodies:
-      return bodies_case;
-    case Family::kWeighted:
-      return weighted_case;
-    case Family::kRound:
-    case Family::kApart:
-      return round_case;
-    case Family::kTrimmed:
-      return trimmed_case;
-    case Family::kEnds:
-      return ends_case;
-    case Family::kSeparated:
-      return separated_case;
-    case Family::kTurning:
-    case Family::kTurningGrazing:
-    case Family::kSpinningGrazing:
-      return turning_case;
-    case Family::kSpinning:
-      return spinning_case;
-    case Family::kMesh:
-    case Family::kMeshOneSided:
-    case Family::kMeshGrazing:
-    case Family::kMeshGrazingOneSided:
-      return mesh_case;
-    case Family::kBodiesGrazing:
-      return grazing_bodies_case;
-    default:
-      return is_shaped(options) ? shaped_case : quadratic_case;
-  }
+Attempt* attempt_of(const GeneratorOptions& options) {
+  if (options.family == Family::kAnywhere) return case_anywhere;
+  if (Attempt* own = row_of(options.family).attempt) return own;
+  return is_shaped(options) ? shaped_case : quadratic_case;
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ inline constexpr auto kConstructions = all_of(Construction{});
 /// asked for. It is made to bring out one weakness, or is a contact of another kind. Twins are
 /// positives of quadratic triangles, and claim nothing of the time before the contact. The others
 /// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
-/// last ones are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp),
-/// surfaces of revolution (round.hpp), loops (trimmed.hpp), ends (ends.hpp) and separations
-/// (separated.hpp). Others are of bodies that turn or spin (turning.hpp), and of a mesh (mesh.hpp).
+/// last ones are not of plain patches. They are of bodies, weights,
+/// surfaces of revolution, loops, ends and separations, of bodies that turn or spin, and of a mesh
+/// (attempts.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -87,25 +87,18 @@ constexpr bool is_grazing(Family family) {
 constexpr bool is_of_bodies(Family family) {
   return family == Family::kBodies || family >= Family::kTurning;
 }
+template <Family kFirst, Family kLast>
+constexpr auto families_between() {
+  constexpr auto kBegin = static_cast<size_t>(kFirst), kEnd = static_cast<size_t>(kLast) + 1;
+  std::array<Family, kEnd - kBegin> all{};
+  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(kBegin + i);
+  return all;
+}
 /// Those of plain patches.
-inline constexpr auto kFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kAnywhere) + 1> all{};
-  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
-  return all;
-}();
-inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kSpinningGrazing) + 1> all{};
-  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
-  return all;
-}();
+inline constexpr auto kFamilies = families_between<Family::kRegular, Family::kAnywhere>();
+inline constexpr auto kAllFamilies = families_between<Family::kRegular, Family::kSpinningGrazing>();
 /// Those of queries with weights, loops, ends or a separation.
-inline constexpr auto kNotPlainFamilies = [] {
-  constexpr auto kFirst = static_cast<size_t>(Family::kBodies) + 1;
-  constexpr auto kEnd = static_cast<size_t>(Family::kTurning);
-  std::array<Family, kEnd - kFirst> all{};
-  for (size_t i = 0; i < all.size(); ++i) all[i] = kAllFamilies[kFirst + i];
-  return all;
-}();
+inline constexpr auto kNotPlainFamilies = families_between<Family::kWeighted, Family::kSeparated>();
 constexpr const auto& all_of(Family) {
   return kAllFamilies;
 }

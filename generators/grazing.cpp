@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generators/exact_sum.hpp"
 #include "generators/motion.hpp"
 #include "generators/tangent_cone.hpp"
 #include "numeric/products.hpp"
@@ -18,21 +19,9 @@ constexpr long kFactorUnit = -3;
 constexpr int kSmall = 7;
 constexpr int kTries = 64;
 
-int largest_component(const Vec3<Dyadic>& v) {
-  int k = 0;
-  for (int i = 1; i < 3; ++i) k = abs(v[i]) > abs(v[k]) ? i : k;
-  return k;
-}
-
-bool is_zero(const Vec3<Dyadic>& v) {
-  return v[largest_component(v)].sign() == 0;
-}
-
 /// v times a power of two, its largest component in [1/2, 1); nullopt if it needs more bits.
 std::optional<Vec3<Dyadic>> in_unit(const Vec3<Dyadic>& v) {
-  const Dyadic largest = abs(v[largest_component(v)]);
-  const long top =
-      largest.exponent() + static_cast<long>(mpz_sizeinbase(largest.mantissa().get_mpz_t(), 2));
+  const long top = top_of(v[largest_component(v)]);
   Vec3<Dyadic> unit;
   for (int k = 0; k < 3; ++k) {
     unit[k] = v[k].scaled(-top);
@@ -115,7 +104,7 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
       if (free) *line = small_vector(draw);
     }
     const Vec3<Dyadic> candidate = cross(lines[0], lines[1]);
-    if (is_zero(candidate)) continue;
+    if (candidate == Vec3<Dyadic>()) continue;
     // On a face no side tells which sign is right, but static_check did.
     const bool no_side = cones[0].sides.empty() && cones[1].sides.empty();
     const auto signed_normal =
@@ -134,7 +123,7 @@ std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 
                                                const GrazingPlane& plane, Draw& draw) {
   const Vec3<Dyadic> common = draw.vector(kSpeedBits, kSpeedUnit);
   const Vec3<Dyadic> slide = draw.until([&] { return within(plane, draw); },
-                                        [](const Vec3<Dyadic>& v) { return !is_zero(v); });
+                                        [](const Vec3<Dyadic>& v) { return v != Vec3<Dyadic>(); });
   const int up = largest_component(plane.normal);
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (size_t s = 0; s < 2; ++s) {

@@ -1,5 +1,3 @@
-#include "generators/mesh.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,7 +8,9 @@
 #include "case/scale.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/attempts.hpp"
 #include "generators/bodies.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 
@@ -75,8 +75,7 @@ class MeshMaker {
   Vec3<double> anywhere_from(const Vec3<double>& from) const {
     const auto most = static_cast<float>(from.cwiseAbs().maxCoeff());
     const double unit = std::max(unit_, static_cast<double>(most - std::nextafter(most, 0.0F)));
-    Vec3<double> step;
-    for (int k = 0; k < 3; ++k) step[k] = static_cast<double>(draw_.integer(-8, 8)) * unit;
+    const Vec3<double> step = draw_integers(draw_, 8) * unit;
     const bool is_in_front = height(from + step) > top_;
     return rounded(is_in_front && draw_.below(8) > 0 ? Vec3<double>(from - step)
                                                      : Vec3<double>(from + step));
@@ -173,11 +172,7 @@ class MeshMaker {
   void add_wall() const {
     const Vec3<double> p = other_.positions[draw_.below(other_.positions.size())];
     const Vec3<double> middle = p + t_max_ * static_cast<double>(draw_.integer(12, 14)) / 16 * way_;
-    const auto step = [&] {
-      const auto part = [&] { return static_cast<double>(draw_.integer(-8, 8)) * unit_; };
-      const double x = part(), y = part();
-      return Vec3<double>(x, y, part());
-    };
+    const auto step = [&]() -> Vec3<double> { return draw_integers(draw_, 8) * unit_; };
     const auto [a, b] = draw_.until(
         [&] {
           const Vec3<double> first = step();

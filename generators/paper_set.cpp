@@ -4,6 +4,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "files/tree_file.hpp"
+#include "generators/finalize.hpp"
 
 namespace ccdfuzz {
 
@@ -38,18 +39,10 @@ std::vector<PaperItem> paper_items(std::uint64_t one_in) {
 
 Case negative_of(const Case& positive) {
   CCDFUZZ_VERIFY(positive.truth.clear_until);
-  const Rational& end = *positive.truth.clear_until;
-  const std::optional<Dyadic> exact_end = Dyadic::from(end);
-  const std::optional<double> t_max =
-      exact_end ? exact_end->to_double_exactly() : std::optional<double>();
+  const std::optional<double> t_max = to_double_exactly(*positive.truth.clear_until);
   CCDFUZZ_VERIFY(t_max);
   Case negative = positive;
-  negative.query.t_max = *t_max;
-  Truth& truth = negative.truth;
-  truth.collides = false;
-  truth.witness.reset();
-  const bool certified = truth.clearance && covers(*truth.clearance, end);
-  truth.proof = certified ? proof_word(*truth.clearance) : "rational-tdibm";
+  say_clear(negative, *t_max);
   negative.origin.kind = name_of(CaseKind::kRN);
   return negative;
 }

@@ -15,6 +15,13 @@ std::array<Feature, 2> features_of(ContactClass contact) {
   return features.at(static_cast<size_t>(contact));
 }
 
+ContactClass class_between(Feature a, Feature b) {
+  using enum ContactClass;
+  constexpr std::array<std::array<ContactClass, 3>, 3> kClasses = {
+      {{kFF, kEF, kVF}, {kEF, kEE, kVE}, {kVF, kVE, kVV}}};
+  return kClasses[static_cast<size_t>(a)][static_cast<size_t>(b)];
+}
+
 Barycentric prescribe_in_parent(Feature feature, Draw& draw) {
   const Dyadic zero, quarter(1, -2), half(1, -1), one(1);
   const size_t odd_one = draw.below(3);

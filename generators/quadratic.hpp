@@ -43,6 +43,13 @@ inline Vec3<Dyadic> weighted_sum(const std::array<Dyadic, 6>& weights,
   return sum;
 }
 
+/// The place of the largest magnitude; the first of equal ones.
+inline int largest_component(const Vec3<Dyadic>& v) {
+  int k = 0;
+  for (int i = 1; i < 3; ++i) k = abs(v[i]) > abs(v[k]) ? i : k;
+  return k;
+}
+
 inline Uv<Rational> uv_of(const Barycentric& x) {
   return {x[0].rational(), x[1].rational()};
 }

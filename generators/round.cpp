@@ -4,6 +4,7 @@
 
 #include "base/verify.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "generators/attempts.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/whole_frame.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
 
@@ -15,9 +13,5 @@ namespace ccdfuzz {
 /// and t_max is t* to twice as much. The truth is the witness, whose parameters are fractions, and
 /// the plane. apart: they meet at a separation > 0, which the query has, and there is no plane.
 Case draw_round_case(ContactClass contact, bool apart, Draw& draw);
-
-/// One attempt at a case of the families round and apart, or why it was thrown away.
-tl::expected<Case, Discard> round_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                       Draw& draw);
 
 }  // namespace ccdfuzz

@@ -1,11 +1,10 @@
 #include "generators/separated.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/verify.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "generators/elsewhere.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
@@ -21,18 +20,6 @@ double double_above_root(const Rational& squared) {
     root = std::nextafter(root, 0);
   }
   return root;
-}
-
-/// The exponent of the largest coordinate that a control point has relative to the first one.
-int exponent_of_size(const Query& query) {
-  const Vec3<double>& origin = query.patches[0].positions[0];
-  double largest = std::numeric_limits<double>::min();
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (const Vec3<double>& p : patch.positions) {
-      largest = std::max(largest, (p - origin).cwiseAbs().maxCoeff());
-    }
-  }
-  return std::ilogb(largest);
 }
 
 }  // namespace
@@ -53,15 +40,13 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
 
 tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                            Draw& draw) {
-  GeneratorOptions plain = options;
-  plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-  CCDFUZZ_TRY(Case made, shaped_case(plain, eps_t, draw));
+  const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
+  CCDFUZZ_TRY(Case made, plain_case(family, options, eps_t, draw));
   const auto* plane = std::get_if<MovingPlane>(&*made.truth.clearance);
   CCDFUZZ_VERIFY(plane != nullptr);
   // From 2^-20 to 2^-8 of the size of the scene, as simulations keep meshes apart. The larger a
   // separation is, the more pairs of points are nearly as near as the nearest.
-  int exponent = exponent_of_size(made.query) - static_cast<int>(draw.integer(8, 20));
+  int exponent = size_exponent(made.query) - 1 - static_cast<int>(draw.integer(8, 20));
   Vec3<Dyadic> way;
   double longest = 0;
   for (int k = 0; k < 3; ++k) {

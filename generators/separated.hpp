@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
 
@@ -12,10 +10,5 @@ namespace ccdfuzz {
 /// that there and no nearer. Requires velocities. False, with a spoilt query, if a number would be
 /// rounded.
 bool move_apart(Query& query, const Vec3<Dyadic>& way);
-
-/// One attempt at a case of the family separated, or why it was thrown away. It is a regular or
-/// interior-time contact. Its patch 1 is moved along the normal by the separation.
-tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                           Draw& draw);
 
 }  // namespace ccdfuzz

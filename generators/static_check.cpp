@@ -24,11 +24,7 @@ struct Projection {
   Vec3<Dyadic> normal;
   int dropped;  ///< coordinate
 
-  explicit Projection(const Vec3<Dyadic>& n) : normal(n), dropped(0) {
-    for (int k = 1; k < 3; ++k) {
-      if (abs(n[k]) > abs(n[dropped])) dropped = k;
-    }
-  }
+  explicit Projection(const Vec3<Dyadic>& n) : normal(n), dropped(largest_component(n)) {}
   Vector2 operator()(const Vec3<Dyadic>& p) const {
     return {p[(dropped + 1) % 3], p[(dropped + 2) % 3]};
   }

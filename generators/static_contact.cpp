@@ -27,10 +27,8 @@ Plane random_plane(Draw& draw) {
         }
         return normal;
       },
-      [](const Vec3<Dyadic>& n) { return n != Vec3<Dyadic>(Dyadic(), Dyadic(), Dyadic()); });
-  for (int k = 1; k < 3; ++k) {
-    if (abs(plane.normal[k]) > abs(plane.normal[plane.largest])) plane.largest = k;
-  }
+      [](const Vec3<Dyadic>& n) { return n != Vec3<Dyadic>(); });
+  plane.largest = largest_component(plane.normal);
   plane.level = dot(plane.normal, draw.vector(kCoordinateBits, kCoordinateUnit));
   return plane;
 }

@@ -1,5 +1,3 @@
-#include "generators/trimmed.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/draw_trim.hpp"
+#include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/weighted.hpp"
@@ -156,13 +155,11 @@ bool touch_later(Contact& q, Draw& draw) {
 
 tl::expected<Case, Discard> trimmed_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                          Draw& draw) {
-  GeneratorOptions whole = options;
-  whole.family = Family::kRegular;
-  whole.kind = CaseKind::kRP;
-  whole.shapes = shapes_of(options, draw);
-  CCDFUZZ_TRY(const Case regular, shaped_case(whole, eps_t, draw));
+  CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, eps_t, draw));
   Contact q = *contact_of(regular);
-  const auto is_surface = [&](std::size_t s) { return (*whole.shapes)[s].parameter_count() == 2; };
+  const auto is_surface = [&](std::size_t s) {
+    return q.query.patches[s].shape.parameter_count() == 2;
+  };
   const std::size_t first = is_surface(0) && (!is_surface(1) || draw.coin()) ? 0 : 1;
   const bool is_negative = options.kind == CaseKind::kRN;
   const bool is_outside = is_negative || draw.below(4) == 0;
@@ -194,9 +191,8 @@ tl::expected<Case, Discard> trimmed_case(const GeneratorOptions& options, const 
   }
   if (!miss_is_proven(out.query, options.proof_pops)) return tl::unexpected(Discard::kFirstContact);
   truth = {};
-  truth.collides = false;
+  say_clear(out, out.query.t_max);
   truth.clear_until = exact(out.query.t_max);
-  truth.proof = "rational-tdibm";
   return out;
 }
 

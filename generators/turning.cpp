@@ -8,7 +8,9 @@
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
+#include "generators/attempts.hpp"
 #include "generators/bodies.hpp"
+#include "generators/finalize.hpp"
 #include "generators/just_missing.hpp"
 
 namespace ccdfuzz {
@@ -101,15 +103,6 @@ tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, c
   return made;
 }
 
-/// The negative case of a positive one that is clear until its end, t_max.
-void end_before_contact(Case& known, double t_max) {
-  known.query.t_max = t_max;
-  known.truth.collides = false;
-  known.truth.witness.reset();
-  known.truth.proof = proof_word(*known.truth.clearance);
-  CCDFUZZ_VERIFY(covers(*known.truth.clearance, exact(t_max)));
-}
-
 }  // namespace
 
 void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
@@ -153,7 +146,8 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
                         witness.t - *out.truth.clear_until <= eps_t.rational();
   if (!is_first) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return out;
-  end_before_contact(out, round_down(witness.t) - *eps_t.to_double_exactly());
+  say_clear(out, round_down(witness.t) - *eps_t.to_double_exactly());
+  CCDFUZZ_VERIFY(covers(*out.truth.clearance, exact(query.t_max)));
   return out;
 }
 
@@ -174,7 +168,8 @@ tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const
   if (!is_near) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return made;
   const Rational step = eps_t.rational();
-  end_before_contact(*made, round_down(rounded_down(*truth.clear_until, step) - step));
+  say_clear(*made, round_down(rounded_down(*truth.clear_until, step) - step));
+  CCDFUZZ_VERIFY(covers(*truth.clearance, exact(made->query.t_max)));
   return made;
 }
 

@@ -1,6 +1,7 @@
 #include "generators/twins.hpp"
 
 #include "generators/differential.hpp"
+#include "generators/exact_sum.hpp"
 #include "generators/frame.hpp"
 #include "generators/prescribe.hpp"
 
@@ -14,8 +15,7 @@ enum class Role { kSlow, kTwin, kFast };
 /// The unit in the last place of x as a double; 0 for 0.
 Dyadic ulp(const Dyadic& x) {
   if (x.sign() == 0) return {};
-  const long bits = static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
-  return {1, x.exponent() + bits - 53};
+  return {1, top_of(x) - 53};
 }
 
 /// The corner whose two mid controls are the twins. The contact's own controls are fast, but for a

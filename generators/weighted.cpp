@@ -14,10 +14,6 @@ namespace ccdfuzz {
 
 namespace {
 
-int top_of(const Dyadic& x) {
-  return static_cast<int>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2) + x.exponent());
-}
-
 /// Places whose weighted sum is 0: pairs of control points go opposite ways, each by the weight of
 /// the other.
 Points<Dyadic> draw_balanced(Draw& draw, const std::vector<Dyadic>& weights) {
@@ -28,7 +24,7 @@ Points<Dyadic> draw_balanced(Draw& draw, const std::vector<Dyadic>& weights) {
   for (std::size_t left = weights.size(); left > 1; --left) {
     const std::size_t i = draw.below(weights.size()), j = draw.below(weights.size());
     if (i == j || weights[i].sign() == 0 || weights[j].sign() == 0) continue;
-    const int unit = std::max(top_of(weights[i]), top_of(weights[j]));
+    const long unit = std::max(top_of(weights[i]), top_of(weights[j]));
     const Vec3<Dyadic> way = draw.vector(3, -1);
     for (int k = 0; k < 3; ++k) {
       places[i][k] += way[k] * weights[j].scaled(-unit);
@@ -69,6 +65,12 @@ std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
     out[k] = Dyadic(Integer(v[k].mantissa() / by.mantissa()), v[k].exponent() - by.exponent());
   }
   return out;
+}
+
+std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most) {
+  std::vector<int> exponents(count);
+  for (int& e : exponents) e = static_cast<int>(draw.integer(-most, most));
+  return exponents;
 }
 
 bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
@@ -142,15 +144,10 @@ tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const
     q = draw_balanced_contact(draw, shapes, uv);
     if (q) out = case_of(*q);
   } else {
-    GeneratorOptions plain = options;
-    plain.family = Family::kRegular;
-    plain.kind = CaseKind::kRP;
-    if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-    CCDFUZZ_TRY(const Case regular, shaped_case(plain, eps_t, draw));
+    CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, eps_t, draw));
     q = contact_of(regular);
     for (std::size_t s = 0; s < 2 && q; ++s) {
-      std::vector<int> exponents(q->query.patches[s].positions.size());
-      for (int& e : exponents) e = static_cast<int>(draw.integer(-3, 3));
+      const auto exponents = draw_exponents(draw, q->query.patches[s].positions.size(), 3);
       if (exponents.size() == 1) continue;
       if (!pull_by_weights(*q, static_cast<int>(s), exponents))
         return tl::unexpected(Discard::kRoundTrip);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
 #include "generators/contact.hpp"
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
@@ -14,6 +12,9 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
 
 /// v / by, if that is dyadic.
 std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);
+
+/// One for each control point of a patch, from −most to most.
+std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most);
 
 /// Multiplies control point i's weight by 2^exponents[i], and divides the way from the contact to
 /// the control point at that time by the same. So the contact stays, and so does a plane through it
@@ -28,13 +29,5 @@ void draw_free_weights(Draw& draw, Contact& q, std::size_t side);
 /// pairs, of which each makes up for the other. nullopt if a number is not a double.
 std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape, 2>& shapes,
                                              const std::array<Uv<Dyadic>, 2>& uv);
-
-/// One attempt at a case of the family weighted, or why it was thrown away. Half of the positives
-/// and all negatives are regular one-sided cases whose control points are pulled by powers of two.
-/// The plane that separates them before t* stays. Control points that have no share in the contact
-/// then get a weight of any kind. The other positives are as draw_balanced_contact makes them, and
-/// claim the contact alone.
-tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw);
 
 }  // namespace ccdfuzz

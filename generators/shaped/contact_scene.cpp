@@ -7,6 +7,7 @@
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "generators/exact_sum.hpp"
 #include "generators/finalize.hpp"
 #include "numeric/products.hpp"
 
@@ -45,11 +46,6 @@ MovingPatch<Dyadic> placed(const ContactSide& side, const Placement& placement, 
   return patch;
 }
 
-/// The exponent e with |x| < 2^e ≤ 2|x|; x ≠ 0.
-long magnitude_exponent(const Dyadic& x) {
-  return x.exponent() + static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
-}
-
 /// Changes each velocity by up to `ulps` of the patch's largest number in that coordinate.
 void add_noise(MovingPatch<Dyadic>& patch, int ulps, Draw& draw) {
   for (int k = 0; k < 3; ++k) {
@@ -58,7 +54,7 @@ void add_noise(MovingPatch<Dyadic>& patch, int ulps, Draw& draw) {
     for (const Points<Dyadic>* points : {&patch.positions, &patch.velocities}) {
       for (const Vec3<Dyadic>& p : *points) {
         if (p[k].sign() == 0) continue;
-        top = any ? std::max(top, magnitude_exponent(p[k])) : magnitude_exponent(p[k]);
+        top = any ? std::max(top, top_of(p[k])) : top_of(p[k]);
         any = true;
       }
     }

@@ -1,6 +1,7 @@
 #include "generators/shaped/families.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "bezier/restrict.hpp"
 #include "generators/shaped/heights.hpp"
@@ -33,56 +34,6 @@ std::vector<std::array<ShapeEdge, 2>> edges_alike(const ShapePair& shapes) {
     }
   }
   return pairs;
-}
-
-ContactScene on_a_shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  const std::array<Feature, 2> features = features_of(contact);
-  const auto pairs = edges_alike(shapes);
-  const std::array<ShapeEdge, 2> edges = pairs[draw.below(pairs.size())];
-  // The edge of `part` is that of the other patch from `from` to `to`; there the contact is at s.
-  const bool corner_on_edge = features[0] != features[1];
-  const size_t part = corner_on_edge ? 0 : draw.below(2);
-  Dyadic from = quarters(draw.integer(0, 2)), to = quarters(draw.integer(3, 4));
-  Dyadic s = quarters(draw.integer(1, 3));
-  if (features[0] == Feature::kCorner) s = Dyadic();
-  if (corner_on_edge) from = quarters(draw.integer(1, 2));
-  if (features[1] == Feature::kCorner) from = Dyadic();
-  if (draw.coin()) {  // the other way round
-    std::swap(from, to);
-    s = Dyadic(1) - s;
-  }
-  const std::array<Dyadic, 2> on_edge = {s, from + s * (to - from)};
-  ContactScene scene;
-  for (size_t side = 0; side < 2; ++side) {
-    const Dyadic middle(1, -1);
-    scene.sides[side] = side_over(shapes[side], edges[side].at(middle), ZeroSet::kLine, draw);
-    scene.sides[side].at = edges[side].at(on_edge[side == part ? 0 : 1]);
-  }
-  const std::vector<size_t> to_places = edges[part].controls(shapes[part]);
-  const std::vector<size_t> from_places = edges[1 - part].controls(shapes[1 - part]);
-  Points<Dyadic> whole;
-  for (const size_t place : from_places) whole.push_back(scene.sides[1 - part].points[place]);
-  Points<Dyadic> cut(whole.size());
-  restrict_to<Dyadic>(Shape::curve(static_cast<int>(whole.size()) - 1), whole,
-                      {{{from, Dyadic()}, {to, Dyadic()}, {}}}, cut);
-  for (size_t i = 0; i < cut.size(); ++i) scene.sides[part].points[to_places[i]] = cut[i];
-  turn_over(scene.sides[1]);
-  let_approach(scene, draw);
-  return scene;
-}
-
-ContactScene along_a_line(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  const std::array<Feature, 2> features = features_of(contact);
-  const size_t flat = features[0] == Feature::kFace ? draw.below(2) : 1;
-  ContactScene scene;
-  for (size_t s = 0; s < 2; ++s) {
-    const Uv<Dyadic> at = point_on(features[s], shapes[s], kQuarters, draw);
-    scene.sides[s] = side_over(shapes[s], at, s == flat ? ZeroSet::kAll : ZeroSet::kLine, draw);
-    centre(scene.sides[s]);
-  }
-  turn_over(scene.sides[1]);
-  let_approach(scene, draw);
-  return scene;
 }
 
 /// Where two points of a patch are and what heights are 0 there and positive elsewhere, as far as
@@ -188,29 +139,6 @@ ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv
   return side;
 }
 
-ContactScene in_several_points(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  const std::array<Feature, 2> features = features_of(contact);
-  const TwoPoints upper = two_points(features[0], shapes[0], draw);
-  ContactScene scene;
-  ContactSide& side = scene.sides[0];
-  side = {shapes[0], upper.at[0], flat_net(shapes[0], false, draw), {}};
-  const Dyadic odd = odd_denominator(shapes[1]);
-  for (Vec3<Dyadic>& p : side.points) p *= odd;
-  std::vector<Dyadic> heights = upper.heights;
-  for (Dyadic& h : heights) h = h.scaled(kExtendedHeightUnit);
-  raise(side.points, heights);
-  std::array<Vec3<Dyadic>, 2> p;
-  for (size_t k = 0; k < 2; ++k) p[k] = evaluate<Dyadic>(shapes[0], side.points, upper.at[k]);
-  const Dyadic zero, one(1);
-  std::array<Uv<Dyadic>, 2> y = {{{zero, zero}, {one, zero}}};
-  if (features[1] == Feature::kEdge) y = {{{quarters(1), zero}, {quarters(3), zero}}};
-  if (features[1] == Feature::kFace) y = {{{quarters(1), quarters(1)}, {quarters(2), quarters(1)}}};
-  scene.sides[1] = plate_under(features[1], shapes[1], y, p, draw);
-  let_approach(scene, draw);
-  scene.separated = contact != ContactClass::kFF;
-  return scene;
-}
-
 /// A random part of a surface, its corners on the grid of quarters, as restrict_to takes it. A
 /// triangle has the corners where the part's (u, v) are (0, 0), (1, 0) and (0, 1); a square those
 /// where they are (0, 0) and (1, 1).
@@ -235,18 +163,115 @@ std::array<Uv<Dyadic>, 3> random_part(const Shape& shape, Draw& draw) {
   return corners;
 }
 
-Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
-                    const Uv<Dyadic>& uv) {
-  const bool triangle = shape.kind == ShapeKind::kTriangle;
-  Uv<Dyadic> at = part[0];
-  for (size_t k = 0; k < 2; ++k) {
-    const Dyadic to_first = part[1][k] - part[0][k], to_second = part[2][k] - part[0][k];
-    at[k] += triangle ? uv[0] * to_first + uv[1] * to_second : uv[k] * to_first;
+bool can_have_two_points(Feature feature, const Shape& shape) {
+  switch (feature) {
+    case Feature::kFace:
+      return shape.kind == ShapeKind::kTensor && shape.n == 4 && shape.m >= 2;
+    case Feature::kEdge:
+      return shape.parameter_count() == 2;
+    case Feature::kCorner:
+      return shape.kind != ShapeKind::kPoint;
   }
-  return at;
+  return false;
 }
 
-ContactScene over_an_area(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene placed(ContactScene scene, Draw& draw) {
+  return {std::move(scene), random_placement(draw)};
+}
+
+}  // namespace
+
+bool families::have_edges_alike(ContactClass, const ShapePair& shapes) {
+  return !edges_alike(shapes).empty();
+}
+
+PlacedScene families::shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const auto pairs = edges_alike(shapes);
+  const std::array<ShapeEdge, 2> edges = pairs[draw.below(pairs.size())];
+  // The edge of `part` is that of the other patch from `from` to `to`; there the contact is at s.
+  const bool corner_on_edge = features[0] != features[1];
+  const size_t part = corner_on_edge ? 0 : draw.below(2);
+  Dyadic from = quarters(draw.integer(0, 2)), to = quarters(draw.integer(3, 4));
+  Dyadic s = quarters(draw.integer(1, 3));
+  if (features[0] == Feature::kCorner) s = Dyadic();
+  if (corner_on_edge) from = quarters(draw.integer(1, 2));
+  if (features[1] == Feature::kCorner) from = Dyadic();
+  if (draw.coin()) {  // the other way round
+    std::swap(from, to);
+    s = Dyadic(1) - s;
+  }
+  const std::array<Dyadic, 2> on_edge = {s, from + s * (to - from)};
+  ContactScene scene;
+  for (size_t side = 0; side < 2; ++side) {
+    const Dyadic middle(1, -1);
+    scene.sides[side] = side_over(shapes[side], edges[side].at(middle), ZeroSet::kLine, draw);
+    scene.sides[side].at = edges[side].at(on_edge[side == part ? 0 : 1]);
+  }
+  const std::vector<size_t> to_places = edges[part].controls(shapes[part]);
+  const std::vector<size_t> from_places = edges[1 - part].controls(shapes[1 - part]);
+  Points<Dyadic> whole;
+  for (const size_t place : from_places) whole.push_back(scene.sides[1 - part].points[place]);
+  Points<Dyadic> cut(whole.size());
+  restrict_to<Dyadic>(Shape::curve(static_cast<int>(whole.size()) - 1), whole,
+                      {{{from, Dyadic()}, {to, Dyadic()}, {}}}, cut);
+  for (size_t i = 0; i < cut.size(); ++i) scene.sides[part].points[to_places[i]] = cut[i];
+  turn_over(scene.sides[1]);
+  let_approach(scene, draw);
+  return placed(std::move(scene), draw);
+}
+
+bool families::have_a_line(ContactClass, const ShapePair& shapes) {
+  return shapes[0].kind != ShapeKind::kPoint;
+}
+
+PlacedScene families::ruled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const size_t flat = features[0] == Feature::kFace ? draw.below(2) : 1;
+  ContactScene scene;
+  for (size_t s = 0; s < 2; ++s) {
+    const Uv<Dyadic> at = point_on(features[s], shapes[s], kQuarters, draw);
+    scene.sides[s] = side_over(shapes[s], at, s == flat ? ZeroSet::kAll : ZeroSet::kLine, draw);
+    centre(scene.sides[s]);
+  }
+  turn_over(scene.sides[1]);
+  let_approach(scene, draw);
+  return placed(std::move(scene), draw);
+}
+
+bool families::have_two_points(ContactClass contact, const ShapePair& shapes) {
+  return can_have_two_points(features_of(contact)[0], shapes[0]) &&
+         shapes[1].kind != ShapeKind::kPoint;
+}
+
+PlacedScene families::several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const TwoPoints upper = two_points(features[0], shapes[0], draw);
+  ContactScene scene;
+  ContactSide& side = scene.sides[0];
+  side = {shapes[0], upper.at[0], flat_net(shapes[0], false, draw), {}};
+  const Dyadic odd = odd_denominator(shapes[1]);
+  for (Vec3<Dyadic>& p : side.points) p *= odd;
+  std::vector<Dyadic> heights = upper.heights;
+  for (Dyadic& h : heights) h = h.scaled(kExtendedHeightUnit);
+  raise(side.points, heights);
+  std::array<Vec3<Dyadic>, 2> p;
+  for (size_t k = 0; k < 2; ++k) p[k] = evaluate<Dyadic>(shapes[0], side.points, upper.at[k]);
+  const Dyadic zero, one(1);
+  std::array<Uv<Dyadic>, 2> y = {{{zero, zero}, {one, zero}}};
+  if (features[1] == Feature::kEdge) y = {{{quarters(1), zero}, {quarters(3), zero}}};
+  if (features[1] == Feature::kFace) y = {{{quarters(1), quarters(1)}, {quarters(2), quarters(1)}}};
+  scene.sides[1] = plate_under(features[1], shapes[1], y, p, draw);
+  let_approach(scene, draw);
+  scene.separated = contact != ContactClass::kFF;
+  return placed(std::move(scene), draw);
+}
+
+bool families::are_equal_surfaces(ContactClass, const ShapePair& shapes) {
+  return shapes[0].parameter_count() == 2 && shapes[0] == shapes[1];
+}
+
+PlacedScene families::area(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const Shape& shape = shapes[0];
   const bool curved = draw.coin();
@@ -274,65 +299,7 @@ ContactScene over_an_area(ContactClass contact, const ShapePair& shapes, Draw& d
     for (ContactSide& side : scene.sides) side.rates.assign(side.rates.size(), side.rates[0]);
     scene.separated = false;
   }
-  return scene;
+  return placed(std::move(scene), draw);
 }
 
-bool can_have_two_points(Feature feature, const Shape& shape) {
-  switch (feature) {
-    case Feature::kFace:
-      return shape.kind == ShapeKind::kTensor && shape.n == 4 && shape.m >= 2;
-    case Feature::kEdge:
-      return shape.parameter_count() == 2;
-    case Feature::kCorner:
-      return shape.kind != ShapeKind::kPoint;
-  }
-  return false;
-}
-
-template <class Make>
-PlacedScene placed(const Make& make, ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  PlacedScene made;
-  made.scene = make(contact, shapes, draw);
-  made.placement = random_placement(draw);
-  return made;
-}
-
-}  // namespace
-
-namespace families {
-
-bool have_edges_alike(ContactClass, const ShapePair& shapes) {
-  return !edges_alike(shapes).empty();
-}
-
-PlacedScene shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return placed(on_a_shared_edge, contact, shapes, draw);
-}
-
-bool have_a_line(ContactClass, const ShapePair& shapes) {
-  return shapes[0].kind != ShapeKind::kPoint;
-}
-
-PlacedScene ruled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return placed(along_a_line, contact, shapes, draw);
-}
-
-bool have_two_points(ContactClass contact, const ShapePair& shapes) {
-  return can_have_two_points(features_of(contact)[0], shapes[0]) &&
-         shapes[1].kind != ShapeKind::kPoint;
-}
-
-PlacedScene several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return placed(in_several_points, contact, shapes, draw);
-}
-
-bool are_equal_surfaces(ContactClass, const ShapePair& shapes) {
-  return shapes[0].parameter_count() == 2 && shapes[0] == shapes[1];
-}
-
-PlacedScene area(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return placed(over_an_area, contact, shapes, draw);
-}
-
-}  // namespace families
 }  // namespace ccdfuzz

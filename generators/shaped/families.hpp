@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "generators/generate.hpp"
+#include "generators/attempts.hpp"
 #include "generators/shaped/contact_scene.hpp"
 
 namespace ccdfuzz {
@@ -26,10 +26,11 @@ struct FamilyRow {
   /// The classes that it has, of each kind in turn: RP, RN, NHP, NMN. RN, where a moving plane
   /// separates them before t*.
   std::array<std::span<const ContactClass>, kCaseKinds.size()> classes;
-  /// A scene of any shapes that have the features of the class and fit. Null for those that
-  /// generate() makes in another way.
+  /// A scene of any shapes that have the features of the class and fit. Null for those that are
+  /// made in another way.
   Make* make = nullptr;
-  Fits* fits = nullptr;  ///< null: all shapes do
+  Fits* fits = nullptr;        ///< null: all shapes do
+  Attempt* attempt = nullptr;  ///< null: those of patches with velocities, without weights or loops
 };
 
 const FamilyRow& row_of(Family family);

@@ -108,6 +108,17 @@ bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j) {
   return (u != one || i == shape.n) && (v != one || j == shape.m);
 }
 
+Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
+                    const Uv<Dyadic>& uv) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  Uv<Dyadic> at = part[0];
+  for (size_t k = 0; k < 2; ++k) {
+    const Dyadic to_first = part[1][k] - part[0][k], to_second = part[2][k] - part[0][k];
+    at[k] += triangle ? uv[0] * to_first + uv[1] * to_second : uv[k] * to_first;
+  }
+  return at;
+}
+
 Shape random_shape(Feature feature, Draw& draw) {
   const auto degree = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
   if (feature == Feature::kCorner && draw.below(8) == 0) return Shape::point();

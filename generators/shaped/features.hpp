@@ -52,6 +52,11 @@ void for_each_control(const Shape& shape, const Visit& visit) {
   }
 }
 
+/// The parameters of a patch that those of a part of it mean. The part has its (u, v) = (0, 0),
+/// (1, 0) and (0, 1) at the corners, or if it is no triangle (0, 0) and (1, 1) at the first two.
+Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
+                    const Uv<Dyadic>& uv);
+
 /// A shape that has the feature: triangles of degree 1 to 5, tensor patches of degrees 1 to 4,
 /// sometimes a curve or a point.
 Shape random_shape(Feature feature, Draw& draw);

@@ -69,38 +69,6 @@ size_t plate_of(ContactClass contact) {
   return contact == ContactClass::kEF ? 0 : 1;
 }
 
-/// One patch, the plate, is flat with straight edges and moves rigidly. The other touches its plane
-/// in one point, which slides onto the plate at t* and stays in touch while it is there. t* is the
-/// first contact if that point comes over the plate's boundary.
-ContactScene sliding_onto_a_plate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  ContactScene scene = touching_at(contact, shapes, kManyBits, kBowlUnit, draw);
-  let_graze(scene, draw);
-  const size_t p = plate_of(contact);
-  ContactSide &plate = scene.sides[p], &slider = scene.sides[1 - p];
-  plate = flat_side(plate.shape, plate.at, true, draw);
-  const Vec3<Dyadic> still = {Dyadic(), Dyadic(), Dyadic()};
-  plate.rates.assign(plate.points.size(), still);
-  const Vec3<Dyadic> inwards = draw.until(
-      [&] {
-        Vec3<Dyadic> sum = still;
-        for (const Vec3<Dyadic>& p_i : plate.points) {
-          sum += p_i * Dyadic(static_cast<int>(draw.integer(1, 8)), -3);
-        }
-        return sum;
-      },  // a point has no inside
-      [&](const Vec3<Dyadic>& v) { return v != still || plate.points.size() == 1; });
-  // All of the slider by the same velocity, and a little deformation that the contact has no share
-  // in: that of control points without weight there.
-  slider.rates.assign(slider.points.size(), inwards);
-  for_each_control(slider.shape, [&](int i, int j) {
-    if (bears(slider.shape, slider.at, i, j)) return;
-    Vec3<Dyadic>& rate = slider.rates[static_cast<size_t>(slider.shape.index(i, j))];
-    for (int k = 0; k < 2; ++k) rate[k] += draw.lattice(6, -8);
-  });
-  scene.t = time_before_one(draw);
-  return scene;
-}
-
 /// The regular scene, for `change` to vary.
 template <class Change>
 PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
@@ -167,10 +135,38 @@ PlacedScene families::scaled(ContactClass contact, const ShapePair& shapes, Draw
   });
 }
 
+/// One patch, the plate, is flat with straight edges and moves rigidly. The other touches its plane
+/// in one point, which slides onto the plate at t* and stays in touch while it is there. t* is the
+/// first contact if that point comes over the plate's boundary.
 PlacedScene families::sliding(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement = random_placement(draw);
-  made.scene = sliding_onto_a_plate(contact, shapes, draw);
+  ContactScene& scene = made.scene;
+  scene = touching_at(contact, shapes, kManyBits, kBowlUnit, draw);
+  let_graze(scene, draw);
+  const size_t p = plate_of(contact);
+  ContactSide &plate = scene.sides[p], &slider = scene.sides[1 - p];
+  plate = flat_side(plate.shape, plate.at, true, draw);
+  const Vec3<Dyadic> still = {Dyadic(), Dyadic(), Dyadic()};
+  plate.rates.assign(plate.points.size(), still);
+  const Vec3<Dyadic> inwards = draw.until(
+      [&] {
+        Vec3<Dyadic> sum = still;
+        for (const Vec3<Dyadic>& p_i : plate.points) {
+          sum += p_i * Dyadic(static_cast<int>(draw.integer(1, 8)), -3);
+        }
+        return sum;
+      },  // a point has no inside
+      [&](const Vec3<Dyadic>& v) { return v != still || plate.points.size() == 1; });
+  // All of the slider by the same velocity, and a little deformation that the contact has no share
+  // in: that of control points without weight there.
+  slider.rates.assign(slider.points.size(), inwards);
+  for_each_control(slider.shape, [&](int i, int j) {
+    if (bears(slider.shape, slider.at, i, j)) return;
+    Vec3<Dyadic>& rate = slider.rates[static_cast<size_t>(slider.shape.index(i, j))];
+    for (int k = 0; k < 2; ++k) rate[k] += draw.lattice(6, -8);
+  });
+  scene.t = time_before_one(draw);
   return made;
 }
 

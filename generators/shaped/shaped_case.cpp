@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/verify.hpp"
+#include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/families.hpp"
 
@@ -78,14 +79,10 @@ ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
 }
 
 bool end_before_contact(Case& value, const Dyadic& until) {
-  Truth& truth = value.truth;
   const std::optional<double> t_max = until.to_double_exactly();
-  if (!truth.clearance || !t_max) return false;
-  value.query.t_max = *t_max;
-  truth.collides = false;
-  truth.witness.reset();
-  truth.clear_until = until.rational();
-  truth.proof = proof_word(*truth.clearance);
+  if (!value.truth.clearance || !t_max) return false;
+  say_clear(value, *t_max);
+  value.truth.clear_until = until.rational();
   return true;
 }
 
@@ -128,12 +125,20 @@ tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const D
     case CaseKind::kNMN:
       if (!miss_is_proven(value->query, options.proof_pops))
         return tl::unexpected(Discard::kFirstContact);
-      value->truth.collides = false;
+      say_clear(*value, value->query.t_max);
       value->truth.clear_until = exact(value->query.t_max);
-      value->truth.proof = "rational-tdibm";
       break;
   }
   return *std::move(value);
+}
+
+tl::expected<Case, Discard> plain_case(Family family, const GeneratorOptions& options,
+                                       const Dyadic& eps_t, Draw& draw) {
+  GeneratorOptions plain = options;
+  plain.family = family;
+  plain.kind = CaseKind::kRP;
+  plain.shapes = shapes_of(options, draw);
+  return shaped_case(plain, eps_t, draw);
 }
 
 }  // namespace ccdfuzz

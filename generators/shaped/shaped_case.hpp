@@ -1,9 +1,6 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
-#include "generators/draw/draw.hpp"
-#include "generators/generate.hpp"
+#include "generators/attempts.hpp"
 
 namespace ccdfuzz {
 
@@ -18,13 +15,12 @@ Result<void> validate_shaped(const GeneratorOptions& options);
 /// The shapes that are asked for, or random ones that fit.
 std::array<Shape, 2> shapes_of(const GeneratorOptions& options, Draw& draw);
 
+/// A positive of this family, of shapes that fit the options.
+tl::expected<Case, Discard> plain_case(Family family, const GeneratorOptions& options,
+                                       const Dyadic& eps_t, Draw& draw);
+
 /// Turns a positive case with a clearance into the negative one that ends before the contact.
 /// Returns false if it has none, or the time is no double.
 bool end_before_contact(Case& value, const Dyadic& until);
-
-/// One attempt at a case of shaped options, with its truth but without its origin; or why it was
-/// thrown away. eps_t: as in GeneratorOptions. Requires valid options.
-tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Draw& draw);
 
 }  // namespace ccdfuzz
