@@ -1,4 +1,4 @@
-#include "fuzz/mutator/aimed_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 
 #include <cmath>
 

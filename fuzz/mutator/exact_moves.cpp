@@ -1,10 +1,10 @@
-#include "fuzz/mutator/exact_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 
 #include <cmath>
 
+#include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
 #include "fuzz/mutator/reshape.hpp"
-#include "fuzz/mutator/small_vector.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
@@ -16,8 +16,25 @@ int random_side(Draw& draw) {
   return static_cast<int>(draw.below(2));
 }
 
-Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
-  return {v[0] * factor, v[1] * factor, v[2] * factor};
+/// The exponent e of the largest coordinate, which is at least 2^(e-1) and less than 2^e; 0 if all
+/// are 0.
+int exponent_of(const Points<double>& points) {
+  int exponent = 0;
+  std::frexp(largest_coordinate(points), &exponent);
+  return exponent;
+}
+
+/// A vector of few bits, from as large as the points down to their last bit; often along one axis.
+Vec3<Dyadic> small_vector(const Points<double>& points, Draw& draw) {
+  constexpr int kBits = 3, kPrecision = 53;
+  const long unit = exponent_of(points) - kBits - static_cast<long>(draw.below(kPrecision));
+  const bool along_an_axis = draw.coin();
+  const std::uint64_t axis = draw.below(3);
+  Vec3<Dyadic> v = draw.vector(kBits, unit);
+  for (int k = 0; k < 3 && along_an_axis; ++k) {
+    if (static_cast<std::uint64_t>(k) != axis) v[k] = Dyadic();
+  }
+  return v;
 }
 
 }  // namespace
@@ -33,8 +50,8 @@ bool shift_in_null_space(Contact& q, Draw& draw) {
   if (i == j || weights[j].sign() == 0) return false;
   // Their common power of two serves nothing but to need bits.
   const long unit = std::min(weights[i].exponent(), weights[j].exponent());
-  return add_exactly(points[i], times(by, weights[j].scaled(-unit))) &&
-         add_exactly(points[j], times(by, -weights[i].scaled(-unit)));
+  return add_exactly(points[i], by * weights[j].scaled(-unit)) &&
+         add_exactly(points[j], by * -weights[i].scaled(-unit));
 }
 
 bool trade_position_for_velocity(Contact& q, Draw& draw) {
@@ -42,18 +59,16 @@ bool trade_position_for_velocity(Contact& q, Draw& draw) {
   if (patch.has_ends()) return false;
   const size_t i = draw.below(patch.positions.size());
   const Vec3<Dyadic> by = small_vector(patch.velocities, draw);
-  return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], times(by, -q.t));
+  return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], by * -q.t);
 }
 
 bool change_coordinates(Contact& q, Draw& draw) {
   constexpr int kFarthest = 40;  // 2^40 sizes of a patch away; more seldom fits into doubles
   Similarity change;
   const auto far_vector = [&](const Points<double>& points) {
-    const int size = size_exponent(points) + static_cast<int>(draw.integer(-20, kFarthest));
-    Vec3<double> v;
-    for (int k = 0; k < 3; ++k) {
-      v[k] = std::ldexp(static_cast<double>(draw.integer(-3, 3)), size);
-    }
+    const int size = exponent_of(points) + static_cast<int>(draw.integer(-20, kFarthest));
+    Vec3<double> v = draw_integers(draw, 3);
+    for (double& x : v) x = std::ldexp(x, size);
     return v;
   };
   switch (draw.below(5)) {
@@ -128,7 +143,7 @@ bool change_horizon(Contact& q, Draw& draw) {
 }
 
 bool give_separation(Contact& q, Draw& draw) {
-  const int size = size_exponent(q.query.patches[0].positions);
+  const int size = exponent_of(q.query.patches[0].positions);
   const int exponent = -1 - static_cast<int>(draw.below(20));
   q.query.separation = std::ldexp(std::ldexp(static_cast<double>(draw.below(4)), exponent), size);
   return std::isfinite(q.query.separation);
@@ -143,9 +158,7 @@ bool give_weights(Contact& q, Draw& draw) {
     patch.weights = draw_patch_weights(draw, count);
     return repair(q, draw);
   }
-  std::vector<int> exponents(count);
-  for (int& e : exponents) e = static_cast<int>(draw.integer(-3, 3));
-  return pull_by_weights(q, side, exponents);
+  return pull_by_weights(q, side, draw_exponents(draw, count, 3));
 }
 
 bool give_ends(Contact& q, Draw& draw) {

@@ -1,9 +1,6 @@
 #include "fuzz/mutator/mutate.hpp"
 
-#include "fuzz/mutator/aimed_moves.hpp"
-#include "fuzz/mutator/exact_moves.hpp"
 #include "fuzz/mutator/moves.hpp"
-#include "fuzz/mutator/trim_moves.hpp"
 
 namespace ccdfuzz {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "fuzz/mutator/exact_moves.hpp"
 #include "fuzz/mutator/libfuzzer.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "generators/draw_contact.hpp"
 

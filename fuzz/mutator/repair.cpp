@@ -4,14 +4,6 @@ namespace ccdfuzz {
 
 namespace {
 
-bool is_zero(const Vec3<Dyadic>& v) {
-  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
-}
-
-Vec3<Dyadic> scaled(const Vec3<Dyadic>& v, long shift) {
-  return {v[0].scaled(shift), v[1].scaled(shift), v[2].scaled(shift)};
-}
-
 /// k where x = 2^k.
 std::optional<long> exponent_of_power_of_two(const Dyadic& x) {
   if (x.mantissa() != 1) return std::nullopt;
@@ -37,7 +29,7 @@ bool shift_velocity(Contact& q, int side, const Vec3<Dyadic>& by) {
   const auto k = exponent_of_power_of_two(q.t);
   const auto way = divided(by, q.weight(side));
   return k && way &&
-         shift_all(q.query.patches[static_cast<size_t>(side)].moves(), scaled(*way, -*k));
+         shift_all(q.query.patches[static_cast<size_t>(side)].moves(), *way * Dyadic(1, -*k));
 }
 
 bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
@@ -49,7 +41,7 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
   if (movable.empty()) return false;
   const size_t i = movable[draw.below(movable.size())];
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  const Vec3<Dyadic> shift = scaled(by, -weights[i].exponent());
+  const Vec3<Dyadic> shift = by * Dyadic(1, -weights[i].exponent());
   return add_exactly(patch.positions[i], shift) &&
          (!patch.has_ends() || add_exactly(patch.ends[i], shift));
 }
@@ -59,7 +51,7 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
 bool repair(Contact& q, Draw& draw) {
   if (!is_in_trims(q)) return false;
   const Vec3<Dyadic> apart = q.offset();
-  if (is_zero(apart)) return true;
+  if (apart == Vec3<Dyadic>()) return true;
   constexpr std::uint64_t kWays = 6;
   const std::uint64_t first = draw.below(kWays);
   for (std::uint64_t way = first; way < first + kWays; ++way) {

@@ -1,8 +1,7 @@
-#include "fuzz/mutator/trim_moves.hpp"
-
 #include <cmath>
 
 #include "bezier/trim.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "generators/draw_trim.hpp"
 
 namespace ccdfuzz {
