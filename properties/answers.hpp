@@ -1,9 +1,14 @@
 #pragma once
 
-#include <array>
+#include <fmt/format.h>
 
+#include <array>
+#include <string>
+
+#include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -12,6 +17,21 @@ inline std::string spec_of(const MethodInfo& info) {
   std::string spec = info.spec;
   if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
   return spec;
+}
+
+/// For failure texts.
+inline std::string to_text(const Answer& answer) {
+  return fmt::format("{} at {} after {} pops: {}", name_of(answer.verdict), shown(answer.toi),
+                     answer.pops, answer.note);
+}
+
+/// What a method answers, which a failure shows with the question.
+inline Answer asked(Draw& d, const std::string& spec, const Query& query,
+                    const SearchOptions& options) {
+  Answer answer = make_method(spec).value()->answer(query, options);
+  show(d, "query", query);
+  show(d, "answer of " + spec, answer);
+  return answer;
 }
 
 /// The same answer, to the bit.

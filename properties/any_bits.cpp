@@ -58,9 +58,7 @@ int any_int(Draw& choices) {
 /// Small numbers, so that a method which looks at them answers soon.
 void fill(Draw& choices, Points<double>& points, std::size_t count) {
   points.resize(count);
-  for (Vec3<double>& p : points) {
-    for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8)) / 4;
-  }
+  for (Vec3<double>& p : points) p = draw_integers(choices, 8) / 4;
 }
 
 Question draw_valid(Draw& choices) {

@@ -18,20 +18,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// k·2^-20, of either sign.
-Rational draw_offset(Draw& choices) {
-  return Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
-}
-
-void check_clear_until(Draw& d) {
-  Case drawn = supposed(draw_contact(d, {}));
-  const Rational& t = drawn.truth.witness->t;
-  const Rational until = t + draw_offset(d);
-  drawn.truth.clear_until = until;
-  show(d, "case", drawn);
-  CLAIM(check_truth(drawn).has_value() == (0 <= until && until <= t));
-}
-
 /// A plane, or a patch that it separates, with one thing changed. The plane is turned round, or
 /// later, or on the wrong side of a patch by less than any move. A patch or one of its corners is
 /// beyond the plane, or the patches do not come nearer.
@@ -144,9 +130,6 @@ std::vector<Property> certificates_claims() {
        [](Draw& d) {
          claim_judged_by_meaning(d, supposed(draw_contact(d, {-2, 2})));
        }},
-      {"checker.refuses_clearance_past_a_contact",
-       "clear_until is refused iff a contact before it is proven, or it is negative",
-       "src/certify/checker/check_truth.hpp", check_clear_until},
       {"checker.refuses_changed_planes",
        "A moving plane is accepted, and refused once either patch, the plane or its time was "
        "changed so that it proves nothing",

@@ -40,6 +40,21 @@ bool is_moved_by_one(const std::vector<Pair>& pairs, long scale, const Dyadic& a
   return true;
 }
 
+/// Component k of all positions, or of all velocities where k > 2.
+std::vector<Pair> pairs_of(const Query& query, const certified::NormalisedQuery& normalised,
+                           std::size_t k) {
+  std::vector<Pair> pairs;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto& patch = query.patches[s];
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      const Vec3<double>& from = k < 3 ? patch.positions[i] : patch.velocities[i];
+      pairs.push_back({Dyadic::exact(from[static_cast<int>(k % 3)]),
+                       Dyadic::exact(normalised.controls[s][i][k])});
+    }
+  }
+  return pairs;
+}
+
 /// What underflow takes at most, in scaled lengths. Numbers are made four times smaller where one
 /// is 2^1022 or more, which costs each of them an eta on that scale. Where that is no double,
 /// `absolute` is infinite, and nothing is certified.
@@ -75,7 +90,6 @@ void check_normalised_ends(Draw& d) {
   };
   for (std::size_t k = 0; k < 3; ++k) {
     std::vector<Way> ways;
-    std::vector<Pair> places;
     for (std::size_t s = 0; s < 2; ++s) {
       const MovingPatch<Dyadic> exact_way = exact_patch<Dyadic>(query.patches[s]);
       for (std::size_t i = 0; i < exact_way.positions.size(); ++i) {
@@ -84,12 +98,11 @@ void check_normalised_ends(Draw& d) {
         const auto axis = static_cast<Eigen::Index>(k);
         const Dyadic most =
             (abs(p) + abs(v) * t + absolute.scaled(1)) * (Dyadic(1) + half_ulp().scaled(2));
-        places.push_back({exact_way.positions[i][axis], p});
         ways.push_back(
             {exact_way.velocities[i][axis], v, half_ulp().scaled(1) * most + absolute * t});
       }
     }
-    CLAIM(is_moved_by_one(places, out.space, absolute));
+    CLAIM(is_moved_by_one(pairs_of(query, out, k), out.space, absolute));
     for (const Way& a : ways) {
       for (const Way& b : ways) {
         const Dyadic off = (a.stored - b.stored) - (a.given - b.given).scaled(out.space + out.time);
@@ -120,16 +133,8 @@ void check_normalised(Draw& d) {
     const bool is_position = k < 3;
     if (!is_position && query.t_max == 0) continue;  // nothing moves in no time
     show(d, "component", k);
-    std::vector<Pair> pairs;
-    for (std::size_t s = 0; s < 2; ++s) {
-      const auto& patch = query.patches[s];
-      for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-        const Vec3<double>& from = is_position ? patch.positions[i] : patch.velocities[i];
-        const double stored = out.controls[s][i][k];
-        CLAIM(std::abs(stored) <= 1);
-        pairs.push_back({Dyadic::exact(from[static_cast<int>(k % 3)]), Dyadic::exact(stored)});
-      }
-    }
+    const std::vector<Pair> pairs = pairs_of(query, out, k);
+    for (const Pair& pair : pairs) CLAIM(abs(pair.stored) <= Dyadic(1));
     const long scale = out.space + (is_position ? 0 : out.time);
     CLAIM(is_moved_by_one(pairs, scale, absolute));
   }

@@ -41,12 +41,6 @@ Points<double> draw_full_points(Draw& choices, const Shape& shape) {
   return points;
 }
 
-Shape draw_surface(Draw& choices, int max_degree) {
-  const auto n = static_cast<int>(choices.integer(1, max_degree));
-  if (!choices.coin()) return Shape::triangle(n);
-  return Shape::tensor(n, static_cast<int>(choices.integer(1, max_degree)));
-}
-
 /// (b): the control points of a sub-patch are off by at most eps_cp. (B, k) = (P, 3(n + m)) for
 /// tensor patches, the paper's 6n where n = m, and (2^n P, 5n) for triangles.
 void check_sub_patch_error(Draw& d) {

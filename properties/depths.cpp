@@ -4,6 +4,8 @@
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/draw_patch.hpp"
+#include "properties/draw_linear.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -80,37 +82,6 @@ void check_depth_of_boxes(Draw& d) {
   CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
 }
 
-/// A vertex and a triangle, or two edges, of numbers of few bits. They touch at t = 1/2.
-Query draw_touching_at_half(Draw& d) {
-  const auto whole = [&] {
-    Vec3<double> v;
-    for (double& x : v) x = static_cast<double>(d.integer(-4, 4));
-    return v;
-  };
-  const bool is_of_edges = d.coin();
-  Query query;
-  query.t_max = 1;
-  query.patches[0].shape = is_of_edges ? Shape::curve(1) : Shape::point();
-  query.patches[1].shape = is_of_edges ? Shape::curve(1) : Shape::triangle(1);
-  std::array<Vec3<double>, 2> touching;
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[s];
-    const auto count = static_cast<std::size_t>(patch.shape.control_count());
-    const Vec3<double> velocity = whole();
-    std::int64_t left = 16;  // of the weights' sum
-    touching[s] = velocity / 2;
-    for (std::size_t i = 0; i < count; ++i) {
-      patch.positions.push_back(whole());
-      patch.velocities.push_back(velocity);
-      const std::int64_t weight = i + 1 == count ? left : d.integer(0, left);
-      left -= weight;
-      touching[s] += static_cast<double>(weight) / 16 * patch.positions[i];
-    }
-  }
-  for (Vec3<double>& p : query.patches[0].positions) p += touching[1] - touching[0];
-  return query;
-}
-
 Case scaled_and_decided(Query query, double scale) {
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& p : patch.positions) p *= scale;
@@ -125,7 +96,8 @@ Case scaled_and_decided(Query query, double scale) {
 /// Whoever moves a vertex or an edge by less than its depth, in any direction, leaves a contact in
 /// that time. At another scale the depth is that many times as much.
 void check_depth_of_features(Draw& d) {
-  Query query = draw_touching_at_half(d);
+  Query query = draw_touching_at_half(
+      d, [](Draw& choices) { return draw_integers(choices, 4); }, true);
   query.t_max = static_cast<double>(d.integer(5, 8)) / 8;
   show(d, "query", query);
   const double depth = feature_depth(scaled_and_decided(query, 1), query.t_max);

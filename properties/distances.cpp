@@ -8,6 +8,7 @@
 #include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/query_kind.hpp"
@@ -63,9 +64,7 @@ void check_proofs_of_touching(Draw& d) {
 
 /// A hit is at the distance, as far as doubles tell, or with pops as far as cells do.
 void claim_at_distance(const Query& query, double size, Draw& d) {
-  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
-  show(d, "toi", answer.toi);
-  show(d, "query", query);
+  const Answer answer = asked(d, "tdibm-c", query, {});
   constexpr std::uint64_t kFewPops = 300;
   if (answer.verdict == Verdict::kMiss) {
     CLAIM(decide_briefly(query, kFewPops).truth.collides != true);

@@ -6,9 +6,7 @@
 #include "generators/quadratic.hpp"
 #include "generators/separated.hpp"
 #include "generators/shaped/families.hpp"
-#include "method/method.hpp"
-#include "properties/property.hpp"
-#include "properties/show.hpp"
+#include "properties/answers.hpp"
 
 namespace ccdfuzz {
 
@@ -84,13 +82,10 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
 
 void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,
                      const SearchOptions& search) {
-  const Answer answer = (*make_method(method))->answer(drawn.query, search);
+  const Answer answer = asked(draw, method, drawn.query, search);
   suppose(answer.verdict != Verdict::kUndecided);
-  show(draw, "method", method);
-  show(draw, "toi", answer.toi);
   show(draw, "contact at", drawn.t);
   show(draw, "explained", drawn.early);
-  show(draw, "query", drawn.query);
   CLAIM(answer.verdict == Verdict::kHit);
   CLAIM(drawn.t - *answer.toi <= drawn.early);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bezier/exact_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 
@@ -114,15 +114,6 @@ void place(Draw& choices, LinearScene& scene) {
   }
 }
 
-Result<Points<double>> as_doubles(Points<Dyadic> points, long scale) {
-  for (Vector& p : points) {
-    for (Dyadic& x : p) x = x.scaled(scale);
-  }
-  const std::optional<Points<double>> doubles = to_doubles(points);
-  if (!doubles) return input_error("", "a number is not a double");
-  return *doubles;
-}
-
 Shape shape_with(std::size_t corners) {
   if (corners == 1) return Shape::point();
   return corners == 2 ? Shape::curve(1) : Shape::triangle(1);
@@ -147,8 +138,8 @@ Result<Query> draw_linear(Draw& choices) {
   for (std::size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];
     patch.shape = shape_with(counts[s]);
-    CCDFUZZ_TRY(patch.positions, as_doubles(scene[s].corners, scale));
-    CCDFUZZ_TRY(patch.velocities, as_doubles(scene[s].velocities, scale));
+    CCDFUZZ_TRY(patch.positions, scaled_doubles(scene[s].corners, scale));
+    CCDFUZZ_TRY(patch.velocities, scaled_doubles(scene[s].velocities, scale));
   }
   if (choices.coin()) {
     for (MovingPatch<double>& patch : query.patches) {
@@ -159,6 +150,32 @@ Result<Query> draw_linear(Draw& choices) {
   }
   const double t_contact = *t.to_double_exactly();
   query.t_max = choices.pick(std::array{1.0, t_contact, 2.0, t_contact + 0x1p-30});
+  return query;
+}
+
+Query draw_touching_at_half(Draw& choices, DrawVector* draw_vector, bool is_rigid) {
+  constexpr std::array kShares = {0.0, 1.0, 0.5, 0.25, 0.375, 0.6875};
+  const bool edges = choices.coin();
+  Query query;
+  query.t_max = 1;
+  std::array<Vec3<double>, 2> at;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = edges ? Shape::curve(1) : s == 0 ? Shape::point() : Shape::triangle(1);
+    at[s] = {0, 0, 0};
+    double left = 1;
+    for (int i = patch.shape.control_count() - 1; i >= 0; --i) {
+      const Vec3<double> p = draw_vector(choices);
+      const bool is_alike = is_rigid && !patch.velocities.empty();
+      const Vec3<double> v = is_alike ? patch.velocities[0] : draw_vector(choices);
+      const double share = i == 0 ? left : choices.pick(kShares) * left;
+      left -= share;
+      at[s] += share * (p + 0.5 * v);
+      patch.positions.push_back(p);
+      patch.velocities.push_back(v);
+    }
+  }
+  for (Vec3<double>& p : query.patches[0].positions) p += at[1] - at[0];
   return query;
 }
 

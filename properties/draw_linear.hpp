@@ -17,4 +17,10 @@ namespace ccdfuzz {
 /// double holds.
 Result<Query> draw_linear(Draw& choices);
 
+/// Two edges, or a point and a triangle, of vectors that are drawn so. They touch at t = 1/2, up to
+/// the rounding of sums, and often at a corner or on an edge. t_max is 1. is_rigid: all corners of
+/// either move alike.
+using DrawVector = Vec3<double>(Draw& choices);
+Query draw_touching_at_half(Draw& choices, DrawVector* draw_vector, bool is_rigid);
+
 }  // namespace ccdfuzz

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bezier/exact_patch.hpp"
-#include "fuzz/mutator/exact_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/weighted.hpp"
 #include "properties/property.hpp"
@@ -11,12 +11,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-std::vector<int> draw_exponents(Draw& choices, std::size_t count, int most) {
-  std::vector<int> exponents(count);
-  for (int& e : exponents) e = static_cast<int>(choices.integer(-most, most));
-  return exponents;
-}
 
 Contact draw_pulled(Draw& choices) {
   Contact q = supposed(contact_of(supposed(draw_contact(choices, {-2, 2, 3}))));

@@ -4,7 +4,7 @@
 
 #include "certify/checker/check_linear.hpp"
 #include "files/case_json.hpp"
-#include "fuzz/mutator/exact_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
 #include "properties/query_kind.hpp"
@@ -54,10 +54,8 @@ void check_same_motion(Draw& d) {
     if (const auto velocities = with_velocities(*moved)) claim_same_way(*moved, *velocities);
   }
   for (const std::string method : {"tdibm-rational", "tdibm-c"}) {
-    const auto asked = make_method(method).value();
-    const Answer of_ends = asked->answer(q.query, kQuickSearch);
-    const Answer of_velocities = asked->answer(plain, kQuickSearch);
-    show(d, method, std::string(name_of(of_ends.verdict)));
+    const Answer of_ends = asked(d, method, q.query, kQuickSearch);
+    const Answer of_velocities = asked(d, method, plain, kQuickSearch);
     // Other bounds may part other boxes: verdicts differ at most where a budget ends a search.
     const auto decided = [](const Answer& a) { return a.verdict != Verdict::kUndecided; };
     CLAIM(of_ends.verdict == of_velocities.verdict || !decided(of_ends) || !decided(of_velocities));

@@ -28,9 +28,7 @@ namespace {
 
 void check_sorting(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
-  Lines<double> sorted;
-  for (const Line<double>& line : pairs.f) sorted.push_back(line);
-  sort_lines(sorted);
+  const Lines<double> sorted = sorted_lines(pairs.f);
   const auto before = [](const Line<double>& x, const Line<double>& y) {
     return x.slope < y.slope || (x.slope == y.slope && x.intercept < y.intercept);
   };

@@ -10,7 +10,6 @@
 #include "generators/grazing.hpp"
 #include "generators/motion.hpp"
 #include "generators/paper.hpp"
-#include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/features.hpp"
@@ -176,24 +175,6 @@ void check_generated_clearance(Draw& d) {
   CLAIM(*made.truth.clear_until <= *contact);
 }
 
-constexpr ContactRange kAnywhere{
-    .lowest = -1000, .highest = 900, .max_degree = 5, .elsewhere = true};
-
-void check_other_contacts(Draw& d) {
-  Case made;
-  if (d.coin()) {
-    made = supposed(draw_contact(d, kAnywhere));
-  } else {
-    const ContactClass contact = d.pick(kContactClasses);
-    made = planted_case(contact, d);
-  }
-  const Result<void> checked = check_truth(made);
-  show(d, "truth", checked);
-  show(d, "case", made);
-  CLAIM(checked.has_value());
-  CLAIM(made.truth.witness.has_value());
-}
-
 }  // namespace
 
 std::vector<Property> generator_steps_claims() {
@@ -228,8 +209,6 @@ std::vector<Property> generator_steps_claims() {
        "Section 5.1, Step VI, Section 5.4", check_generated},
       {"generator.clearance", "Nothing proves a contact where a case claims that there is none",
        "Section 5.1, Step V", check_generated_clearance},
-      {"generator.other_contacts", "Drawn and planted contacts are contacts",
-       "generators/draw_contact.hpp, generators/planted.hpp", check_other_contacts},
   };
 }
 

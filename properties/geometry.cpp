@@ -6,6 +6,7 @@
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/shaped/features.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -149,22 +150,6 @@ void check_cell_tree(Draw& d) {
   }
 }
 
-/// The parameters of the patch that local parameters of a cell mean.
-Uv<Dyadic> to_global(const Shape& shape, const std::array<Uv<Dyadic>, 3>& corners,
-                     const Uv<Dyadic>& uv) {
-  const auto& [u, v] = uv;
-  Uv<Dyadic> global;
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (shape.kind == ShapeKind::kTriangle) {
-      global[k] = (Dyadic(1) - u - v) * corners[0][k] + u * corners[1][k] + v * corners[2][k];
-    } else {
-      const Dyadic& x = uv[k];
-      global[k] = (Dyadic(1) - x) * corners[0][k] + x * corners[1][k];
-    }
-  }
-  return global;
-}
-
 void check_sub_patch(Draw& d) {
   constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
   const Shape shape = draw_shape(d, kDegree);
@@ -178,7 +163,7 @@ void check_sub_patch(Draw& d) {
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
   Points<Dyadic> part(points.size());
   restrict_to<Dyadic>(shape, points, corners, part);
-  const Uv<Dyadic> global = to_global(shape, corners, uv);
+  const Uv<Dyadic> global = on_whole(shape, corners, uv);
   CLAIM(evaluate<Dyadic>(shape, part, uv) == evaluate<Dyadic>(shape, points, global));
 }
 

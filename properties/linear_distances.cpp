@@ -3,8 +3,8 @@
 
 #include "certify/checker/check_bodies.hpp"
 #include "certify/oracle/decide_bodies.hpp"
-#include "method/method.hpp"
 #include "numeric/products.hpp"
+#include "properties/answers.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 #include "properties/suites.hpp"
@@ -118,13 +118,10 @@ bool are_apart(const Query& query) {
 void check_near_misses(Draw& d) {
   const Query query = draw_near_miss(d);
   suppose(is_valid(query));
-  show(d, "query", query);
   Query farther = query;
   farther.separation += std::ldexp(1.0, -kTold);
   suppose(are_apart(farther));
-  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
-  show(d, "toi", answer.toi);
-  show(d, "pops", answer.pops);
+  const Answer answer = asked(d, "tdibm-c", query, {});
   CLAIM(answer.verdict == Verdict::kMiss || answer.pops > 0);
 }
 

@@ -14,6 +14,7 @@
 #include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 
@@ -149,10 +150,8 @@ void check_answer(Draw& d) {
   suppose(most_places(query) <= 254);
   const SearchOptions options{.precision = d.pick(std::array{1e-4, 1e-1, 1e-12})};
   const auto contact = linear::first_contact(query);
-  const Answer answer = make_method("tdibm-c").value()->answer(query, options);
   show(d, "precision", options.precision);
-  show(d, "toi", answer.toi);
-  show(d, "query", query);
+  const Answer answer = asked(d, "tdibm-c", query, options);
   CLAIM(answer.verdict == (contact ? Verdict::kHit : Verdict::kMiss));
   if (!contact) return;
   // Enclosures of times are halved until they are narrower than a thousandth of the precision.
@@ -164,48 +163,13 @@ void check_answer(Draw& d) {
   CLAIM(time.lo() - toi <= allowed);
 }
 
-/// All bits of a number in [-1, 1].
-double full_bits(Draw& choices) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 53;
-  return std::ldexp(static_cast<double>(choices.integer(-kMost, kMost)), -53);
-}
-
-/// Two edges, or a point and a face, that touch or nearly touch about t = ½, often at a corner or
-/// on an edge.
-Query draw_about_touching(Draw& choices) {
-  const auto vector = [&] {
-    const double x = full_bits(choices), y = full_bits(choices);
-    return Vec3<double>{x, y, full_bits(choices)};
-  };
-  const bool edges = choices.coin();
-  Query query;
-  std::array<Vec3<double>, 2> at;
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[s];
-    patch.shape = edges ? Shape::curve(1) : s == 0 ? Shape::point() : Shape::triangle(1);
-    at[s] = {0, 0, 0};
-    double left = 1;
-    for (int i = patch.shape.control_count() - 1; i >= 0; --i) {
-      const Vec3<double> p = vector(), v = vector();
-      const double share =
-          i == 0 ? left : choices.pick(std::array{0.0, 1.0, 0.5, 0.25, 0.375, 0.6875}) * left;
-      left -= share;
-      at[s] += share * (p + 0.5 * v);
-      patch.positions.insert(patch.positions.begin(), p);
-      patch.velocities.insert(patch.velocities.begin(), v);
-    }
-  }
-  const double apart = choices.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10});
-  const Vec3<double> gap = apart * vector();
-  for (Vec3<double>& p : query.patches[0].positions) p += at[1] - at[0] + gap;
-  return query;
-}
-
 /// The window may end or begin at the contact, to the last double. Corners may pass each other, as
 /// often inside as outside.
 void check_doubles(Draw& d) {
   using certified::RoughContact;
-  Query query = draw_about_touching(d);
+  Query query = draw_touching_at_half(d, full_vector, false);
+  const Vec3<double> gap = d.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10}) * full_vector(d);
+  for (Vec3<double>& p : query.patches[0].positions) p += gap;
   const double length = d.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
   const double from = d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
   query.t_max = from + length * d.pick(std::array{1.0, 2.0});
@@ -241,13 +205,9 @@ std::function<void(Draw&)> misses_nothing_linear(std::string method, SearchOptio
   return [=](Draw& d) {
     const Query query = supposed(draw_linear(d));
     const auto contact = supposed(linear::first_contact(query));
-    const Answer answer = make_method(method).value()->answer(query, options);
+    const Answer answer = asked(d, method, query, options);
     if (answer.verdict == Verdict::kUndecided) return;
-    show(d, "method", method);
-    show(d, "precision", options.precision);
     show(d, "contact after", contact.time.lo());
-    show(d, "toi", answer.toi);
-    show(d, "query", query);
     CLAIM(answer.verdict == Verdict::kHit);
     CLAIM(is_at_least(contact.time, exact(answer.toi.value())));
   };

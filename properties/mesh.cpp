@@ -104,23 +104,6 @@ void check_who_is_there(Draw& d) {
   CLAIM(!check_body_contact(query, witness));
 }
 
-/// A face that is farther than the first contact changes nothing if it is taken away.
-void check_unused_face(Draw& d) {
-  const Case known = draw_mesh(d, CaseKind::kRP);
-  Query less = known.query;
-  std::vector<Face>& faces = less.patches[mesh_side(less)].faces;
-  suppose(faces.size() > 1);
-  const size_t face = d.below(faces.size());
-  const std::vector<size_t> there = faces_there(known.query);
-  if (std::ranges::find(there, face) != there.end()) {
-    const Truth part = decide(of_face(known.query, face)).truth;
-    suppose(!*part.collides || part.witness->t > known.truth.witness->t);
-  }
-  faces.erase(faces.begin() + static_cast<long>(face));
-  const Truth truth = decide(less).truth;
-  CLAIM(truth.collides == true && truth.witness->t == known.truth.witness->t);
-}
-
 /// The first contact of two sides is the first of that with the fronts and that with the backs.
 /// Faces along the motion have neither.
 void check_windings(Draw& d) {
@@ -185,29 +168,16 @@ Case draw_graze(Draw& d, ContactClass contact, const BodyKind& kind) {
   return known;
 }
 
-/// The graze, without the last face.
-Query grazed_alone(Query query) {
-  query.patches[mesh_side(query)].faces.pop_back();
-  return query;
-}
-
-/// Where a vertex grazes, what is about it may be deep. Bodies of few points are the quickest.
-void check_flat_graze(Draw& d) {
+/// The graze is the first contact, and has no depth. The last face is passed through later.
+void check_graze(Draw& d) {
+  // Where a vertex grazes, what is about it may be deep. Bodies of few points are the quickest.
   const bool is_quick = d.below(4) > 0;
   const Case known = is_quick ? draw_graze(d, ContactClass::kVE, {2, 3, RadiusRule::kZero})
                               : draw_graze(d, d.pick(kContactClasses), {1, 4, RadiusRule::kAny});
-  CLAIM(depth_until(grazed_alone(known.query), known.query.t_max) == 0.0);
-}
-
-/// The graze is the first contact. The last face is passed through later.
-void check_graze(Draw& d) {
-  const ContactClass contact =
-      d.coin() ? d.pick(std::array{ContactClass::kVE, ContactClass::kVV}) : d.pick(kContactClasses);
-  // The depths of larger bodies take long.
-  const Case known = draw_graze(d, contact, {1, 4, RadiusRule::kAny});
   const Query& query = known.query;
   const size_t side = mesh_side(query);
-  const Query grazed = grazed_alone(query);
+  Query grazed = query;
+  grazed.patches[side].faces.pop_back();
   Query wall = query;
   wall.patches[side].faces = {query.patches[side].faces.back()};
   CLAIM(check_case(known).has_value());
@@ -215,6 +185,7 @@ void check_graze(Draw& d) {
   CLAIM(first.collides == true && later.collides == true);
   CLAIM(first.witness->t == known.truth.witness->t && first.witness->t > 0);
   CLAIM(later.witness->t >= first.witness->t);
+  CLAIM(depth_until(grazed, query.t_max) == 0.0);
   const Vec3<double> way = query.patches[0].velocities[0] - query.patches[1].velocities[0];
   CLAIM(depth_until(wall, query.t_max) >= 0x1p-10 * query.t_max * way.norm());
 }
@@ -253,7 +224,7 @@ std::vector<Property> mesh_claims() {
       {"mesh.truth_holds",
        "The planted truth of a mesh is accepted and survives a file, and methods that do not take "
        "meshes say so",
-       "generators/mesh.hpp", check_mesh_truth},
+       "generators/mesh.cpp", check_mesh_truth},
       {"mesh.is_least_of_faces",
        "Any mesh is decided, and touched when the first of its faces is that is there", kDeciding,
        check_least_of_faces},
@@ -265,16 +236,14 @@ std::vector<Property> mesh_claims() {
          const Query query = draw_any_mesh(d);
          claim_same_otherwise(d, query, decide(query).truth);
        }},
-      {"mesh.unused_face", "A face that is touched later or never changes no first contact",
-       kDeciding, check_unused_face},
       {"mesh.windings",
        "The first contact of a mesh of two sides is the first of those of its fronts and its backs",
        kMeshes, check_windings},
-      {"mesh.graze_is_flat", "A planted graze of a mesh has no depth, also beside a vertex",
-       "generators/mesh.hpp", check_flat_graze},
       {"mesh.graze_hides",
-       "A body that grazes a mesh touches it first, and passes through it later",
-       "generators/mesh.hpp", check_graze},
+       "A body that grazes a mesh touches it first, without depth, also beside a vertex, and "
+       "passes "
+       "through it later",
+       "generators/mesh.cpp", check_graze},
       {"mesh.setting_of_one_sided",
        "A one-sided mesh is touching at 0 if, and only if, a face is, from behind or in front",
        "src/method/setting.hpp", check_setting_of_one_sided},

@@ -12,23 +12,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Two patches of any shapes with integer coordinates within 8 of 0 and speeds of less than 2.
-Query draw_small_query(Draw& choices) {
-  Query query;
-  for (MovingPatch<double>& patch : query.patches) {
-    patch.shape = draw_shape(choices, 2);
-    for (int i = 0; i < patch.shape.control_count(); ++i) {
-      Vec3<double> p, v;
-      for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8));
-      for (int k = 0; k < 3; ++k)
-        v[k] = std::ldexp(static_cast<double>(choices.integer(-15, 15)), -3);
-      patch.positions.push_back(p);
-      patch.velocities.push_back(v);
-    }
-  }
-  return query;
-}
-
 void move_along(Query& query, int axis, double by) {
   for (Vec3<double>& p : query.patches[1].positions) p[axis] += by;
 }
@@ -36,7 +19,7 @@ void move_along(Query& query, int axis, double by) {
 /// One leaf for all of [0, 1]: it proves absence of contact iff patch 1 stays below patch 2 on its
 /// axis; touching at one end is no proof.
 void check_leaf(Draw& d) {
-  Query query = draw_small_query(d);
+  Query query = draw_small_query(d, 2);
   TreeAxis axis{};
   const auto along = static_cast<int>(d.choose(2));
   for (int k = 0; k < 3; ++k) {
@@ -94,7 +77,7 @@ struct TreeDraw {
 /// refused if it is cut off or goes on after its end. So it is if a time is outside of its window,
 /// or if a leaf does not separate.
 void check_tree_form(Draw& d) {
-  Query query = draw_small_query(d);
+  Query query = draw_small_query(d, 2);
   move_along(query, 0, 64);
   enum class Change : std::uint8_t { kNone, kCutOff, kMoreNodes, kMoreBytes, kTime, kLeaf };
   const Change change = d.pick(std::array{Change::kNone, Change::kCutOff, Change::kMoreNodes,

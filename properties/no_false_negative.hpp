@@ -34,7 +34,8 @@ void claim_no_false_negative(const std::string& method, const Case& value,
 using DrawCase = std::function<Case(Draw&)>;
 /// draw_contact of a range.
 DrawCase contacts_in(const ContactRange& range);
-/// A contact of the ordinary, the tiny or the many-bit range.
+/// A contact of the ordinary, the tiny or the many-bit range. The time step may be 2^30 times as
+/// long as the contact needs.
 Case draw_sized_contact(Draw& draw);
 /// An ordinary contact after a drawn change of coordinates that keeps it.
 Case draw_transformed(Draw& draw);
@@ -46,7 +47,8 @@ std::function<void(Draw&)> misses_nothing(std::string method,
 
 /// A search drops no pair of boxes that holds the witness of a case, and its window never loses the
 /// time of contact. Requires a witness within t_max.
-void claim_kept(const std::string& method, const Case& value, Draw& draw);
+void claim_kept(const std::string& method, const Case& value, Draw& draw,
+                double precision = 0x1p-8);
 /// Checks of that claim on drawn contacts.
 std::function<void(Draw&)> keeps_contacts(std::string method,
                                           DrawCase draw = contacts_in(kOrdinaryRange));

@@ -30,26 +30,20 @@ bool has_term(const Shape& shape, int a, int b) {
   return shape.kind == ShapeKind::kTriangle ? a + b <= shape.n : a <= shape.n && b <= shape.m;
 }
 
-int last_in_v(const Shape& shape, int i) {
-  return shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
-}
-
 /// In Shape's order. u^a·v^b has the coefficients C(i,a)/C(n,a)·C(j,b)/C(m,b), on a triangle
 /// i!/(i−a)!·j!/(j−b)!·(n−a−b)!/n!, by a multiplication with (u + w)^(n−a) and so on.
 std::vector<Rational> coefficients_of(const Shape& shape, const Polynomial& polynomial) {
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   std::vector<Rational> out;
-  for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= last_in_v(shape, i); ++j) {
-      Rational sum = 0;
-      for (const auto& [a, b, factor] : polynomial) {
-        const Rational whole = triangle ? falling(shape.n, a + b)
-                                        : Rational(falling(shape.n, a) * falling(shape.m, b));
-        sum += factor * falling(i, a) * falling(j, b) / whole;
-      }
-      out.push_back(sum);
+  for_each_control(shape, [&](int i, int j) {
+    Rational sum = 0;
+    for (const auto& [a, b, factor] : polynomial) {
+      const Rational whole =
+          triangle ? falling(shape.n, a + b) : Rational(falling(shape.n, a) * falling(shape.m, b));
+      sum += factor * falling(i, a) * falling(j, b) / whole;
     }
-  }
+    out.push_back(sum);
+  });
   return out;
 }
 

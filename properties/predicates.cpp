@@ -36,19 +36,8 @@ void check_eps_end(Draw& d) {
   }
 }
 
-/// The differences that Psi_min has, of f = the max-envelope's line alpha and the min-envelope's
-/// lines beta, beta + 1; `next_of_f` is alpha + 1.
-struct PsiMin {
-  Line<double> alpha, alpha_next, beta, beta_next;
-
-  template <class S>
-  ProductDifference<S> predicate(const Line<S>& f, const Line<S>& g, const Line<S>& g_next) const {
-    return {S(f.slope - g_next.slope), S(f.intercept - g.intercept), S(f.slope - g.slope),
-            S(f.intercept - g_next.intercept)};
-  }
-};
-
-/// C.1 for Psi_min, with the bound's last factor as printed, |b_(alpha+1) − b_(beta+1)|, or as the
+/// C.1 for Psi_min. f are the max-envelope's lines alpha and alpha + 1, g the min-envelope's lines
+/// beta + 1 and beta. The bound's last factor is as printed, |b_(alpha+1) − b_(beta+1)|, or as the
 /// predicate has it, |b_alpha − b_(beta+1)|. Psi_max is the same with the roles exchanged.
 void claim_eps_psi_min(Draw& d, bool as_printed) {
   const LinePairs pairs = draw_line_pairs(d);
@@ -56,12 +45,11 @@ void claim_eps_psi_min(Draw& d, bool as_printed) {
   std::vector<Line<double>> lower = pairs.g;  // of the negated lines
   for (Line<double>& line : lower) line = {-line.slope, -line.intercept};
   const auto g = draw_sorted(d, 2, lower);
-  const PsiMin psi{f[0], f[1], g[1], g[0]};
-  const Line<Dyadic> alpha = exact_line(psi.alpha), beta = exact_line(psi.beta),
-                     next = exact_line(psi.beta_next), alpha_next = exact_line(psi.alpha_next);
-  const auto exact = psi.predicate(alpha, beta, next);
-  const double rounded = psi.predicate(psi.alpha, psi.beta, psi.beta_next).value();
-  const Dyadic last = as_printed ? alpha_next.intercept - next.intercept : exact.s;
+  // All four differences of Psi_min have the other sign here, which changes no bit of it.
+  const auto exact = product_form(exact_line(f[0]), exact_line(g[1]), exact_line(g[0]));
+  const double rounded = product_form(f[0], g[1], g[0]).value();
+  const Dyadic last =
+      as_printed ? exact_line(f[1]).intercept - exact_line(g[0]).intercept : exact.s;
   const Dyadic magnitude = abs(exact.p) * abs(exact.q) + abs(exact.r) * abs(last);
   show(d, "alpha, alpha + 1", f);
   show(d, "beta + 1, beta", g);

@@ -7,15 +7,16 @@
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
+#include "properties/answers.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-Case draw_round(Draw& d) {
+Case draw_round(Draw& d, bool apart) {
   const ContactClass contact = d.coin() ? ContactClass::kVF : ContactClass::kFF;
-  return draw_round_case(contact, d.choose(3) == 3, d);
+  return draw_round_case(contact, apart, d);
 }
 
 /// A box about the place where a point comes to the surface is found.
@@ -34,7 +35,7 @@ void check_place(const Case& drawn) {
 
 /// A tree that keeps surfaces a distance apart is refused as a proof of one that they do not keep.
 void check_separations(Draw& d) {
-  const Case drawn = draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, true, d);
+  const Case drawn = draw_round(d, true);
   show(d, "query", drawn.query);
   const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6});
   claim_no_larger_separation(drawn.query, drawn.truth.witness->t, share, 3000, d);
@@ -43,7 +44,7 @@ void check_separations(Draw& d) {
 /// The plane of a first contact is accepted. Where it stays longer, or is on one side of it, the
 /// patches are not on theirs.
 void check_planes(Draw& d) {
-  const Case drawn = draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, false, d);
+  const Case drawn = draw_round(d, false);
   show(d, "query", drawn.query);
   const MovingPlane plane = std::get<MovingPlane>(*drawn.truth.clearance);
   const Rational little = power_of_two(-static_cast<long>(d.integer(0, 60)));
@@ -59,7 +60,7 @@ void check_planes(Draw& d) {
 }
 
 void check_first_contact(Draw& d) {
-  Case drawn = draw_round(d);
+  Case drawn = draw_round(d, d.choose(3) == 3);
   Query& query = drawn.query;
   const bool apart = query.separation > 0;
   if (query.patches[1].shape.kind == ShapeKind::kPoint && !apart) check_place(drawn);
@@ -71,9 +72,7 @@ void check_first_contact(Draw& d) {
   for (const std::string method : {"tdibm-c", "tdibm-rational"}) {
     if (method == "tdibm-rational") fine.max_pops = 500;           // each takes it about 0.1 ms
     if (method == "tdibm-rational" && d.choose(7) != 0) continue;  // slow
-    const Answer answer = make_method(method).value()->answer(query, fine);
-    show(d, method, std::string(name_of(answer.verdict)));
-    show(d, "toi", answer.toi);
+    const Answer answer = asked(d, method, query, fine);
     if (answer.verdict == Verdict::kUndecided) continue;
     // At a distance boxes are told apart no finer than their size: a hit may be early by that.
     CLAIM(!before || apart || answer.verdict == Verdict::kMiss);

@@ -3,6 +3,7 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "fuzz/mutator/reshape.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
 namespace ccdfuzz {
@@ -84,11 +85,6 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
   out.truth.witness = value.truth.witness;
   out.expect.clear();
   const int side = choices.coin() ? 1 : 0;
-  const auto vector = [&] {
-    Vec3<double> v;
-    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(choices.integer(-256, 256));
-    return v;
-  };
   switch (symmetry) {
     case Symmetry::kSwapPatches:
       std::swap(out.query.patches[0], out.query.patches[1]);
@@ -116,9 +112,9 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
     case Symmetry::kScaleTime:
       return similar(out, {.time = static_cast<int>(choices.integer(-60, 60))});
     case Symmetry::kTranslate:
-      return similar(out, {.shift = vector()});
+      return similar(out, {.shift = draw_integers(choices, 256)});
     case Symmetry::kCommonVelocity:
-      return similar(out, {.drift = vector()});
+      return similar(out, {.drift = draw_integers(choices, 256)});
     case Symmetry::kReverseTime:
       if (!reverse_time(out)) return std::nullopt;
       break;

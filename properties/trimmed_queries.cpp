@@ -12,7 +12,7 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "fuzz/mutator/trim_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
@@ -62,12 +62,11 @@ void check_trim_traces(Draw& d) {
 /// Asks a method. The cells of a hit are not outside: within their width of its parameters is a
 /// point of the region.
 Verdict verdict_near_regions(Draw& d, const Query& query, const std::string& method) {
-  const Answer answer = make_method(method).value()->answer(query, kQuickSearch);
-  show(d, "method", method);
+  const Answer answer = asked(d, method, query, kQuickSearch);
   show(d, "uv", answer.uv);
   if (answer.verdict != Verdict::kHit) return answer.verdict;
   for (std::size_t s = 0; s < 2; ++s) {
-    const Uv<Rational> at = {exact(answer.uv[s][0]), exact(answer.uv[s][1])};
+    const Uv<Rational> at = exact_place(answer.uv[s]);
     const Rational width = exact(kQuickSearch.precision);
     const std::vector<Uv<Rational>> square = {{at[0] - width, at[1] - width},
                                               {at[0] + width, at[1] - width},
@@ -100,7 +99,7 @@ void check_trim_linear(Draw& d) {
   surface.trim = draw_trim(d, surface.shape, at);
   point = {Shape::point(), {{at[0], at[1], 0.5}}, {{0, 0, -1}}};
   show(d, "query", query);
-  const bool counts = is_in_region(surface.trim, {exact(at[0]), exact(at[1])});
+  const bool counts = is_in_region(surface.trim, exact_place(at));
   CLAIM(decide(query, kLittle).truth.collides != !counts);
   const Verdict verdict = verdict_near_regions(d, query, "tdibm-c");
   CLAIM(!counts || verdict != Verdict::kMiss);
@@ -215,7 +214,7 @@ void check_trim_boxes(Draw& d) {
   if (radius[0] == 0 || radius[1] == 0) return;
   for (const auto& loop : patch.trim) {
     for (const Uv<double>& vertex : loop) {
-      const Uv<Rational> uv = {exact(vertex[0]), exact(vertex[1])};
+      const Uv<Rational> uv = exact_place(vertex);
       const std::array<Rational, 3> barycentrics = {Rational(1 - uv[0] - uv[1]), uv[0], uv[1]};
       const bool is_beside = abs(barycentrics[(z + 1) % 3] - exact(centre[0])) > exact(radius[0]) ||
                              abs(barycentrics[(z + 2) % 3] - exact(centre[1])) > exact(radius[1]);
@@ -259,7 +258,7 @@ std::vector<Property> trimmed_queries_claims() {
       {"checker.refuses_boxes_outside", "No box that leaves a trim holds a contact", kChecker,
        check_trim_boxes},
       {"mutator.keeps_trims", "Changed loops are valid, and the contact is in their region",
-       "fuzz/mutator/trim_moves.hpp", check_trim_moves},
+       "fuzz/mutator/moves.hpp", check_trim_moves},
   };
   add_claims_of(claims, {"trims",
                          "trimmed",

@@ -6,6 +6,7 @@
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/turning.hpp"
 #include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
@@ -85,8 +86,7 @@ BodyTurn draw_small_turn(Draw& d) {
 }
 
 Vec3<double> draw_point(Draw& d) {
-  const std::vector<double> x = draw_eighths(d, 3, 1);
-  return {x[0], x[1], x[2]};
+  return draw_integers(d, 8) / 8;
 }
 
 /// A plane on either side of a body that turns is accepted for a short time. It is refused where it

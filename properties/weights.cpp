@@ -93,10 +93,8 @@ void check_linear(Draw& d) {
   for (MovingPatch<double>& patch : weighted.patches) {
     patch.weights = draw_patch_weights(d, patch.positions.size());
   }
-  show(d, "query", weighted);
-  const auto method = make_method("tdibm-c").value();
-  const Answer with = method->answer(weighted, kQuickSearch);
-  const Answer without = method->answer(plain, kQuickSearch);
+  const Answer with = asked(d, "tdibm-c", weighted, kQuickSearch);
+  const Answer without = asked(d, "tdibm-c", plain, kQuickSearch);
   CLAIM(with.verdict == without.verdict && with.toi == without.toi);
   for (std::size_t s = 0; s < 2; ++s) CLAIM(weighted.patches[s].shape.contains(with.uv[s]));
   const Decision decision = decide(weighted);
@@ -125,9 +123,8 @@ void check_linear_place(Draw& d) {
   } else {
     other = {Shape::point(), {{x, y, 1}}, {{0, 0, -1}}};
   }
-  show(d, "query", query);
   for (const std::string method : {"tdibm-c", "oracle"}) {
-    const Answer answer = make_method(method).value()->answer(query, kQuickSearch);
+    const Answer answer = asked(d, method, query, kQuickSearch);
     CLAIM(answer.verdict == Verdict::kHit);
     const auto& [u, v] = answer.uv[0];
     const Vec3<Rational> at = point_of(edge, {exact(u), exact(v)}, 0);
