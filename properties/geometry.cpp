@@ -49,47 +49,6 @@ void check_bernstein_sum(Draw& d) {
   CLAIM(sum == evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv));
 }
 
-std::vector<Uv<Dyadic>> draw_arguments(Draw& d, const Shape& shape) {
-  std::vector<Uv<Dyadic>> arguments(static_cast<std::size_t>(std::max({shape.n, shape.m, 1})));
-  for (Uv<Dyadic>& argument : arguments) argument = draw_uv(d, shape, kGeometryUvBits);
-  show(d, "arguments", arguments);
-  return arguments;
-}
-
-/// In u and v of an argument at once, or of a tensor patch in one of them.
-void check_blossom_affine(Draw& d) {
-  const DrawnPatch drawn = draw_patch(d);
-  std::vector<Uv<Dyadic>> arguments = draw_arguments(d, drawn.shape);
-  const Uv<Dyadic> from = arguments[0];
-  Uv<Dyadic> to = draw_uv(d, drawn.shape, kGeometryUvBits);
-  if (drawn.shape.kind == ShapeKind::kTensor) {
-    const std::size_t same = d.choose(1);
-    to[same] = from[same];
-  }
-  show(d, "to", to);
-  const auto at = [&](const Uv<Dyadic>& first) {
-    arguments[0] = first;
-    return blossom<Dyadic>(drawn.shape, drawn.points, arguments);
-  };
-  const Vec3<Dyadic> middle = at({(from[0] + to[0]).scaled(-1), (from[1] + to[1]).scaled(-1)});
-  CLAIM(middle * Dyadic(2) == at(from) + at(to));
-}
-
-void check_blossom_symmetry(Draw& d) {
-  const DrawnPatch drawn = draw_patch(d);
-  std::vector<Uv<Dyadic>> arguments = draw_arguments(d, drawn.shape);
-  const Vec3<Dyadic> first = blossom<Dyadic>(drawn.shape, drawn.points, arguments);
-  const auto turn = static_cast<std::ptrdiff_t>(d.choose(arguments.size() - 1));
-  // A tensor patch reads u of n arguments, and v of m. Those of which it reads both change places.
-  const auto common = drawn.shape.kind == ShapeKind::kTensor
-                          ? static_cast<std::ptrdiff_t>(std::min(drawn.shape.n, drawn.shape.m))
-                          : static_cast<std::ptrdiff_t>(arguments.size());
-  std::rotate(arguments.begin(), arguments.begin() + std::min(turn, common),
-              arguments.begin() + common);
-  show(d, "turned", arguments);
-  CLAIM(blossom<Dyadic>(drawn.shape, drawn.points, arguments) == first);
-}
-
 void check_elevation(Draw& d) {
   const DrawnPatch drawn = draw_patch(d);
   const Vec3<Dyadic> here = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
@@ -174,10 +133,6 @@ std::vector<Property> geometry_claims() {
       {"patch.bernstein_sum",
        "A patch is the sum of its control points by Bernstein weights, which are >= 0 and sum to 1",
        "Eq. 2; Section 4.6, Assumptions", check_bernstein_sum},
-      {"patch.blossom_affine", "The blossom is affine in each of its arguments", "Appendix A (b)",
-       check_blossom_affine},
-      {"patch.blossom_symmetry", "The blossom does not depend on the order of its arguments",
-       "Appendix A (b)", check_blossom_symmetry},
       {"patch.elevation", "A patch of one degree higher is the same patch", "Eq. 2",
        check_elevation},
       {"cell.children_cover", "The children of a cell cover it, and nothing else", "Appendix A (a)",
