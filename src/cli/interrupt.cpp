@@ -39,6 +39,19 @@ void on_signal(int signal) {
   errno = before;
 }
 
+/// Ends this process as the signal does where nobody handles it, which SA_RESETHAND makes so.
+void on_deadly_signal(int signal) {
+  if (::getpid() == this_process) remove_unfinished_files();
+  ::raise(signal);
+}
+
+/// Whoever started this may have the signal ignored, as nohup does of SIGHUP: that stays.
+void handle_unless_ignored(int signal, const struct sigaction& action) {
+  struct sigaction before {};
+  sigaction(signal, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 void end_on_signals() {
@@ -48,10 +61,10 @@ void end_on_signals() {
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGALRM}) sigaction(signal, &action, nullptr);
-  // The terminal was closed; under nohup it is ignored, and stays so.
-  struct sigaction hangup {};
-  sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  handle_unless_ignored(SIGHUP, action);  // the terminal was closed
+  action.sa_handler = on_deadly_signal;
+  action.sa_flags = SA_RESETHAND;
+  for (const int signal : {SIGPIPE, SIGQUIT, SIGXCPU}) handle_unless_ignored(signal, action);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

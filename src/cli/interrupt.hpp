@@ -6,8 +6,10 @@ namespace ccdfuzz {
 
 /// How SIGINT (Ctrl-C), SIGTERM and SIGHUP end this program: at once, with exit code 128 + the
 /// signal and without leaving a temporary file. What is on the disk is whole whenever that is, as
-/// files appear whole and run files are read up to their last whole record. SIGXFSZ is ignored, so
-/// that a file that grows too large is an error of whoever writes it. Called once, by main.
+/// files appear whole and run files are read up to their last whole record. SIGPIPE, SIGQUIT and
+/// SIGXCPU end it as they do by default, without leaving a temporary file either. SIGXFSZ is
+/// ignored, so that a file that grows too large is an error of whoever writes it. Called once, by
+/// main.
 void end_on_signals();
 
 /// For a command that has results to print. The first signal sets the returned flag, which the

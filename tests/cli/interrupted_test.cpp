@@ -22,6 +22,19 @@ TEST(Interrupted, ADataSetLeavesNoFileBehind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+// By Ctrl-\\, a limit of time, and whoever reads what it prints and stops.
+TEST(Interrupted, ADataSetLeavesNoFileBehindWhateverElseEndsIt) {
+  for (const int signal : {SIGQUIT, SIGXCPU, SIGPIPE}) {
+    const ScratchFolder folder;
+    Process process({"generate", "--contact", "VV", "--kind", "RP", "--count", "1000000000", "-o",
+                     folder / "set.jsonl"});
+    while (std::filesystem::is_empty(folder.path())) std::this_thread::yield();
+    process.signal(signal);
+    EXPECT_EQ(process.wait().code, 128 + signal);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << signal;
+  }
+}
+
 TEST(Interrupted, ThePapersSetSaysHowToGoOn) {
   const ScratchFolder folder;
   const std::string path = folder / "stopped.jsonl.zst";
