@@ -1,6 +1,8 @@
 #pragma once
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -24,6 +26,13 @@ inline void limit_resource(int resource, rlim_t most) {
   most = std::min({most, now.rlim_cur, now.rlim_max});  // RLIM_INFINITY is the largest
   now.rlim_cur = now.rlim_max = most;
   ::setrlimit(resource, &now);
+}
+
+/// A descriptor of the same file where code that counts on low ones hardly meets it: from 64 on, if
+/// this process may have as many. -1: it has as many as it may.
+inline int duplicate_out_of_the_way(int descriptor) {
+  const int high = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 64);
+  return high >= 0 ? high : ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
 }
 
 /// For a process that answers in place of another: limits its address space, if not 0, no core

@@ -68,8 +68,8 @@ void send_line(int to, std::string line) {
 }  // namespace
 
 void serve_lines(const std::function<std::string(const std::string&)>& work, double cpu_seconds) {
-  const int questions = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 64);
-  const int replies = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 64);
+  const int questions = duplicate_out_of_the_way(STDIN_FILENO);
+  const int replies = duplicate_out_of_the_way(STDOUT_FILENO);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (questions < 0 || replies < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
       ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {

@@ -350,8 +350,8 @@ class Plugin {
 /// The questions come on a descriptor that the plug-in does not know; what it prints goes to
 /// stderr.
 [[noreturn]] void serve(const char* path, unsigned seconds) {
-  const int questions = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 64);
-  reply_descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 64);
+  const int questions = ccdfuzz::duplicate_out_of_the_way(STDIN_FILENO);
+  reply_descriptor = ccdfuzz::duplicate_out_of_the_way(STDOUT_FILENO);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (questions < 0 || reply_descriptor < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
       ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
