@@ -162,7 +162,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
       kept.emplace(resumed_run(header, answers, "cases"));
     }
   }
-  if (!arguments.page.empty()) need(make_folder(arguments.page));
+  if (!arguments.page.empty()) need(make_writable_folder(arguments.page));
   const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;
@@ -193,13 +193,14 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->file.rename(answers));
   }
-  if (!arguments.page.empty())
-    write_evaluation_page(page, rows, costs, files, arguments, session.threads);
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_row(row);
   } else {
     print_evaluation(rows, costs, arguments, done);
   }
+  // Last: what was measured is shown even if the page cannot be written.
+  if (!arguments.page.empty())
+    write_evaluation_page(page, rows, costs, files, arguments, session.threads);
   return session.exit_code(kDone);
 }
 

@@ -240,7 +240,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   check_meant(arguments.hunt.ground, options.hunt.ground);
   Store store = need(Store::open(options.corpus));
   // Whether the page can be written is to be known before the work is done.
-  if (!options.page.empty()) need(make_folder(options.page));
+  if (!options.page.empty()) need(make_writable_folder(options.page));
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   bool told = false;
