@@ -1,7 +1,12 @@
 #pragma once
 
-#include <string>
+#include <fmt/format.h>
 
+#include <string>
+#include <variant>
+
+#include "cli/common_options.hpp"
+#include "cli/output.hpp"
 #include "files/case_files.hpp"
 #include "files/tree_file.hpp"
 
@@ -20,31 +25,42 @@ class DataSetWriter {
   /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is
   /// filled in here. A stream has no place for it (drop_tree).
   Result<void> write(Case value, const std::string& tree) {
-    if (is_streamed_) drop_tree(value.truth);
-    if (value.truth.clearance) {
-      if (auto* of_tree = std::get_if<MissTree>(&*value.truth.clearance)) {
-        CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
-      }
+    auto* const of_tree =
+        value.truth.clearance ? std::get_if<MissTree>(&*value.truth.clearance) : nullptr;
+    if (of_tree != nullptr && is_streamed_) {
+      drop_tree(value.truth);
+      ++left_out_;
+    } else if (of_tree != nullptr) {
+      CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
     }
     return cases_.write(value);
   }
 
   /// As CaseWriter::complete.
   Result<void> complete() { return cases_.complete(); }
-  /// Must come last; until then neither file is there.
+  /// Must come last; until then neither file is there. Says on stderr what a stream left out.
   Result<void> finish() {
-    return complete().and_then([this] { return trees_.finish(); }).and_then([this] {
-      return cases_.finish();
-    });
+    CCDFUZZ_TRY_VOID(complete());
+    CCDFUZZ_TRY_VOID(trees_.finish());
+    CCDFUZZ_TRY_VOID(cases_.finish());
+    if (left_out_ > 0) {
+      print_err(fmt::format(
+          "ccdfuzz: {}: {} left out, which a stream cannot hold: use --output FILE\n", path_,
+          counted(left_out_, "proof by a tree of separating axes is",
+                  "proofs by trees of separating axes are")));
+    }
+    return is_streamed_ || trees_.has_any() ? Result<void>() : remove_old_trees(path_);
   }
 
  private:
   DataSetWriter(CaseWriter cases, const std::string& path)
-      : cases_(std::move(cases)), trees_(path), is_streamed_(is_stream(path)) {}
+      : path_(path), cases_(std::move(cases)), trees_(path), is_streamed_(is_stream(path)) {}
 
+  std::string path_;
   CaseWriter cases_;
   TreeWriter trees_;
   bool is_streamed_;
+  std::uint64_t left_out_ = 0;  ///< trees
 };
 
 }  // namespace ccdfuzz

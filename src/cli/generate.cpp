@@ -200,16 +200,16 @@ std::uint64_t make_all(const Plan& plan, Target& target, Session& session) {
 }
 
 int run_generate(const GenerateOptions& options, Session& session) {
-  if (options.is_to_stdout()) {
+  if (options.is_to_stdout() || is_stream(options.output)) {
     if (options.paper) {
       throw BadInput{{"--output", "the paper's set goes to a file, which --paper needs"}};
     }
     if (!options.shard.empty())
       throw BadInput{{"--shard", fmt::format("the share {} goes to a file, which --output names",
                                              options.shard)}};
-    if (session.json) {
-      throw BadInput{{"--json", "stdout takes the cases already; name a file with --output"}};
-    }
+  }
+  if (options.is_to_stdout() && session.json) {
+    throw BadInput{{"--json", "stdout takes the cases already; name a file with --output"}};
   }
   Plan plan = options.paper ? paper_plan(options) : plain_plan(options);
   plan.header.shard = need(parse_shard(options.shard, plan.header.items, plan.unit));

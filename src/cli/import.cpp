@@ -4,8 +4,8 @@
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/data_set.hpp"
 #include "cli/session.hpp"
-#include "files/case_files.hpp"
 #include "method/ask.hpp"
 
 namespace ccdfuzz {
@@ -91,7 +91,7 @@ int run_import(const ImportOptions& options, Session& session) {
   if (!options.csv.truths.empty() && files.size() > 1) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
-  CaseWriter writer = need(CaseWriter::open(options.output));
+  DataSetWriter writer = need(DataSetWriter::open(options.output));
   leave_stdout_to(options.output);
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
@@ -109,7 +109,7 @@ int run_import(const ImportOptions& options, Session& session) {
                     {contact_text(query.collides)}};
           });
         }
-        need(writer.write(named.value));
+        need(writer.write(named.value, ""));  // no certificate of these is a tree
       });
   if (session.interrupted()) return interrupted_exit_code();
   need(writer.finish());

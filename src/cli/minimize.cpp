@@ -8,6 +8,7 @@
 #include "files/tree_file.hpp"
 #include "finds/content_address.hpp"
 #include "finds/minimise.hpp"
+#include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
 #include "method/served_method.hpp"
 
@@ -52,12 +53,20 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
         "case proves no absence of contact: use --output FILE\n");
   }
   const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
-  if (!options.output.empty()) return need(write_file(options.output, text));
+  if (!options.output.empty()) {
+    need(write_file(options.output, text));
+    if (!is_streamed && !had_tree) need(remove_old_trees(options.output));
+    return;
+  }
   if (!json) print_out(text);
 }
 
 int run_minimize(const MinimizeOptions& options, Session& session) {
   if (options.output == "-") throw BadInput{{"--output", "- is no file; the default is stdout"}};
+  if (!options.output.empty() && !is_stream(options.output) &&
+      case_file_kind_by_name(options.output) != CaseFileKind::kJson) {
+    throw BadInput{{"--output", options.output + ": does not end in .json, as one case does"}};
+  }
   const NamedCase found = need(read_case(options.file));
   Asker asker = asker_for(found, options);
   const CheckedCase known = need(check_case(found));

@@ -5,7 +5,9 @@
 #include <unistd.h>
 #include <zstd.h>
 
+#include <array>
 #include <cerrno>
+#include <filesystem>
 
 #include "base/verify.hpp"
 #include "io/descriptor.hpp"
@@ -15,6 +17,10 @@
 namespace ccdfuzz {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kCaseEndings = {".jsonl.zst", ".jsonl", ".json"};
 
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
@@ -40,7 +46,7 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
 
 std::string path_beside(const std::string& case_path, std::string_view ending) {
   size_t length = case_path.size();
-  for (const std::string_view own : {".jsonl.zst", ".jsonl", ".json"}) {
+  for (const std::string_view own : kCaseEndings) {
     if (case_path.ends_with(own)) length = case_path.size() - own.size();
   }
   return case_path.substr(0, length).append(ending);
@@ -101,6 +107,20 @@ Result<void> carry_tree(Truth& truth, const std::string& trees, const std::strin
   TreeWriter writer(case_path);
   CCDFUZZ_TRY(miss->tree, writer.write(bytes));
   return writer.finish();
+}
+
+Result<void> remove_old_trees(const std::string& case_path) {
+  std::error_code error;
+  for (const std::string_view ending : kCaseEndings) {
+    const std::string other = path_beside(case_path, ending);
+    if (other != case_path && fs::exists(other, error)) return {};
+  }
+  const std::string trees = trees_path(case_path);
+  if (fs::is_regular_file(trees, error)) fs::remove(trees, error);
+  if (error && error != std::errc::no_such_file_or_directory) {
+    return system_error(trees, "remove", error.value());
+  }
+  return {};
 }
 
 Result<TreeRef> TreeWriter::write(std::string_view bytes) {

@@ -39,11 +39,17 @@ void drop_tree(Truth& truth);
 /// and TreeWriter.
 Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path);
 
+/// For a case file that names no tree, in place of one that may have: removes the trees beside it.
+/// They stay if a case file of the same name and another ending is there. Errors: they cannot be
+/// removed, naming their file.
+Result<void> remove_old_trees(const std::string& case_path);
+
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
 class TreeWriter {
  public:
   explicit TreeWriter(const std::string& case_path) : path_(trees_path(case_path)) {}
 
+  bool has_any() const { return file_.has_value(); }
   /// Errors: of the file, naming its path. Requires at most kMaxTreeBytes.
   Result<TreeRef> write(std::string_view bytes);
   /// Before the cases are finished, so that no case ever names a tree that is not there.
