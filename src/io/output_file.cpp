@@ -133,8 +133,14 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
     if (file.descriptor_ < 0) return system_error(path, "write", errno);
     return file;
   }
-  // Through a symbolic link, so that the link stays.
-  const fs::path resolved = fs::weakly_canonical(path, ignored);
+  // Through symbolic links, so that they stay. The last may lead to no file yet.
+  fs::path resolved = path;
+  for (int links = 0; fs::is_symlink(resolved, ignored); ++links) {
+    constexpr int kMostLinks = 40;  // as the system has it
+    if (links == kMostLinks) return system_error(path, "write", ELOOP);
+    resolved = resolved.parent_path() / fs::read_symlink(resolved, ignored);
+  }
+  resolved = fs::weakly_canonical(resolved, ignored);
   file.target_ = ignored || resolved.empty() ? path : resolved.string();
   const std::string folder = folder_of(file.target_);
   do {
