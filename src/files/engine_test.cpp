@@ -240,7 +240,6 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
   const auto refused = [&](std::string_view why) {
     return input_error(named.id, fmt::format("{} {}", engine.engine, why));
   };
-  if (!is_of_bodies(query)) return refused("is asked about bodies");
   if (engine.has("plane") && !is_in_plane(query))
     return input_error(named.id, "is not in the plane z = 0");
   const bool has_one = has_mesh(query);
@@ -299,6 +298,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   }
   const EngineWords engine(*of_engine, has_mesh(value.query));
   const bool is_of_features = engine.has(kVertexFace);
+  if (!is_of_features && !is_of_bodies(value.query)) {
+    return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
+  }
   const double step =
       is_of_features ? step_of(value.query, engine) : step_of_bodies(value.query, engine);
   std::optional<double> latest;
