@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -58,6 +59,27 @@ void name_option(const CLI::App& command, InputError& error) {
       if (!rest.empty() && rest.find_first_of("/.:") != 0) continue;
       error.where = fmt::format("{}: {}", option->get_name(), error.where);
       return;
+    }
+  }
+}
+
+/// A plug-in with a name that --methods does not name is asked nothing, unless files may name it.
+void refuse_unasked_plugins(const CLI::App& command) {
+  const CLI::Option* const plugins = command.get_option_no_throw("--plugin");
+  const CLI::Option* methods = command.get_option_no_throw("--methods");
+  if (methods == nullptr) methods = command.get_option_no_throw("--method");
+  const bool files_name_methods = command.get_option_no_throw("--allow-plugins") != nullptr;
+  if (plugins == nullptr || methods == nullptr || files_name_methods) return;
+  std::set<std::string> asked;
+  for (const std::string& list : methods->results()) {
+    for (const std::string& spec : texts_between_commas(list)) asked.insert(spec);
+  }
+  for (const std::string& list : plugins->results()) {
+    for (const std::string& item : texts_between_commas(list)) {
+      const std::string name = kPluginPrefix + item.substr(0, item.find('='));
+      if (asked.contains(name)) continue;
+      throw BadInput{{"--plugin", fmt::format("{} is not asked, as {} does not name it", name,
+                                              methods->get_name())}};
     }
   }
 }
@@ -263,9 +285,9 @@ void CommandLine::add_help() {
   };
   const auto asked = std::make_shared<AskedHelp>();
   CLI::App* const help = app_->add_subcommand("help", "Show the help of a command")->group("");
-  help->add_option("command", asked->command);
-  help->add_flag("--man", asked->manual);
-  help->add_flag("--bash", asked->bash);
+  CLI::Option* const of_one = help->add_option("command", asked->command);
+  CLI::Option* const manual = help->add_flag("--man", asked->manual)->excludes(of_one);
+  help->add_flag("--bash", asked->bash)->excludes(of_one)->excludes(manual);
   help->callback([this, asked] {
     chosen_ = [this, asked] {
       const std::string& name = asked->command;
@@ -324,6 +346,7 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   int code = kDone;
   std::optional<InputError> error;
   try {
+    refuse_unasked_plugins(*app_->get_subcommands().front());
     code = chosen_();
   } catch (const BadInput& bad) {
     session_->end_table();

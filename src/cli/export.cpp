@@ -147,6 +147,9 @@ int run_export(const ExportOptions& options, Session&) {
          options.output +
              ": is a file of cases by its name; accepted is another, such as a .csv or .cpp"}};
   }
+  if (options.round && !std::holds_alternative<AsQueryCsv>(options.as)) {
+    throw BadInput{{"--round", "is for --as csv: tests hold the numbers of their case"}};
+  }
   leave_stdout_to(options.output);
   if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
     return export_engine_tests(options, *engine);

@@ -235,6 +235,10 @@ struct CsvReader::State {
       }
     }
     if (truths) {
+      if (query.label) {
+        return input_error(truths_path,
+                           fmt::format("has truths, but so has {} in its rows", lines.path()));
+      }
       if (given >= truths->size()) {
         return input_error(truths_path, fmt::format("has {} truths, but {} has more queries",
                                                     truths->size(), lines.path()));
