@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 
 #include "base/number_text.hpp"
@@ -19,6 +20,7 @@
 #include "method/method.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_method.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "method/taken_query.hpp"
 
 namespace ccdfuzz {
@@ -277,10 +279,14 @@ Result<Found> find_family(const std::string& text) {
   }
   if (found.family == nullptr) {
     const std::vector<std::string> specs = known_specs();
+    std::error_code none;
+    const std::string meant = std::filesystem::is_regular_file(text, none)
+                                  ? fmt::format("; did you mean {}{}?", kPluginPrefix, text)
+                                  : did_you_mean(text, specs);
     return input_error("--methods",
                        fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "
                                    "plugin-exec:PATH",
-                                   text, did_you_mean(text, specs), fmt::join(specs, ", ")));
+                                   text, meant, fmt::join(specs, ", ")));
   }
   const std::vector<std::string>& known = found.family->info.switches;
   std::vector<std::string> left = known;
