@@ -179,7 +179,11 @@ Generated generate(const GeneratorOptions& options, Draw& draw) {
   Generated out;
   const auto made = draw.until(
       [&] {
-        CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
+        if (out.discards.attempts == kMaxAttempts) {
+          CCDFUZZ_VERIFY(options.eps_t_exponent);
+          throw NothingAccepted(fmt::format("with 2^{} none of {} constructions is accepted",
+                                            *options.eps_t_exponent, kMaxAttempts));
+        }
         ++out.discards.attempts;
         tl::expected<Case, Discard> tried = attempt(options, eps_t, draw);
         if (!tried) ++out.discards.discarded[static_cast<size_t>(tried.error())];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "base/enum_names.hpp"
@@ -169,6 +170,11 @@ struct Generated {
 /// Errors: options outside what is generated, naming the option and its value.
 Result<void> validate(const GeneratorOptions& options);
 
+/// With this eps_T no construction is accepted: thousands in turn were refused.
+struct NothingAccepted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Case number `index` of the endless data set that `options` describe (Section 5, Steps I–VI). It
 /// is two patches that touch at t* in a point of the given class, triangular quadratic ones by
 /// default. RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
@@ -177,7 +183,7 @@ Result<void> validate(const GeneratorOptions& options);
 /// (near-miss): patches as of a near-hit, one of them moved away by 2^-20 to 2^-8 along one
 /// coordinate. Truth: no contact up to t_max = t*, proven for all of it. The result depends on
 /// (options, index) alone: not on the compiler, on threads or on other calls. Requires valid
-/// options. Begins anew until a construction is accepted.
+/// options. Begins anew until a construction is accepted. Throws NothingAccepted.
 Generated generate(const GeneratorOptions& options, std::uint64_t index);
 
 /// A case of those options, whose seed is not used, of any choices: its origin has neither seed nor

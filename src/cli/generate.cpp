@@ -113,12 +113,16 @@ Plan plain_plan(const GenerateOptions& options) {
   return {header,
           [g, first = options.first](std::uint64_t i) {
             const double begin = thread_cpu_seconds();
-            Generated made = generate(g, first + i);
-            return MadeCases{i,
-                             {std::move(made.value)},
-                             {},
-                             cost_of(g.contact, name_of(g.kind), 1, made.discards,
-                                     thread_cpu_seconds() - begin)};
+            try {
+              Generated made = generate(g, first + i);
+              return MadeCases{i,
+                               {std::move(made.value)},
+                               {},
+                               cost_of(g.contact, name_of(g.kind), 1, made.discards,
+                                       thread_cpu_seconds() - begin)};
+            } catch (const NothingAccepted& none) {
+              throw BadInput{{"--eps-t", none.what()}};
+            }
           },
           "cases"};
 }
