@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
@@ -19,7 +21,8 @@ namespace {
 constexpr std::uint64_t kBenchPops = 2'000;
 
 struct BenchOptions {
-  std::vector<ContactClass> classes{kContactClasses.begin(), kContactClasses.end()};
+  std::optional<std::vector<ContactClass>> classes;  ///< absent: all
+  bool linear = false;
   std::vector<std::string> methods{"tdibm-c",       "trad",    "tdibm",
                                    "tdibm-h:1e-12", "tdibm-e", "tdibm-rational"};
   Construction construction = Construction::kPaper;
@@ -40,6 +43,29 @@ Result<std::vector<ContactClass>> parse_classes(const std::string& where, const 
   return classes;
 }
 
+/// Throws BadInput: a class that has no queries of meshes, if those are asked for.
+std::vector<ContactClass> classes_of(const BenchOptions& options) {
+  const std::vector<ContactClass> all(kContactClasses.begin(), kContactClasses.end());
+  if (!options.linear) return options.classes.value_or(all);
+  const std::vector<ContactClass> of_meshes = {ContactClass::kVF, ContactClass::kEE,
+                                               ContactClass::kVE, ContactClass::kVV};
+  const std::vector<ContactClass> classes = options.classes.value_or(of_meshes);
+  for (const ContactClass contact : classes) {
+    if (std::ranges::find(of_meshes, contact) != of_meshes.end()) continue;
+    throw BadInput{{"--classes", fmt::format("{} is not asked with --linear: VF, EE, VE, VV are",
+                                             name_of(contact))}};
+  }
+  return classes;
+}
+
+/// The points, edges and triangles that a mesh query of the class is about.
+std::array<Shape, 2> linear_shapes(ContactClass contact) {
+  const Shape edge = Shape::curve(1);
+  if (contact == ContactClass::kVF) return {Shape::point(), Shape::triangle(1)};
+  if (contact == ContactClass::kEE) return {edge, edge};
+  return {Shape::point(), contact == ContactClass::kVE ? edge : Shape::point()};
+}
+
 /// The queries of one class: `count` positives up to t*, and as many negatives up to t* − 2^-20.
 template <class OnQuery>
 void for_each_query(const BenchOptions& options, ContactClass contact, const OnQuery& on_query) {
@@ -49,6 +75,10 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
       generator.contact = contact;
       generator.kind = kind;
       generator.construction = options.construction;
+      if (options.linear) {
+        generator.construction = Construction::kOneSided;
+        generator.shapes = linear_shapes(contact);
+      }
       generator.seed = options.seed;
       if (!on_query(generate(generator, i).value.query)) return;
     }
@@ -135,11 +165,12 @@ void print_races(const ClassRaces& races, const BenchOptions& options) {
 
 int run_bench(const BenchOptions& options, Session& session) {
   const std::atomic<bool>& interrupted = catch_interrupts();
+  const std::vector<ContactClass> classes = classes_of(options);
   const double queries =
-      static_cast<double>(options.classes.size()) * 2 * static_cast<double>(options.count);
+      static_cast<double>(classes.size()) * 2 * static_cast<double>(options.count);
   std::uint64_t done = 0;
   ClassRaces races;
-  for (const ContactClass contact : options.classes) {
+  for (const ContactClass contact : classes) {
     Race& race =
         races.emplace_back(contact, Race(options.methods, options.search.options())).second;
     for_each_query(options, contact, [&](const Query& query) {
@@ -163,15 +194,22 @@ void add_bench(CommandLine& line) {
   auto [command, options] =
       line.add<BenchOptions>("bench", "Compare the speed of methods in one run", run_bench);
   command.example("your code beside tdibm-c, on mesh queries",
-                  "bench --classes VF,EE --methods tdibm-c,plugin:./libmine.so");
+                  "bench --linear --methods tdibm-c,plugin:./libmine.so");
   command.whole("--count", options->count,
                 "Cases of each class: one with and one without a contact for each", 1);
   command.whole("--seed", options->seed, "Seed of the cases");
-  command.parsed("--classes LIST", options->classes, "Contact classes, separated by commas",
+  command.parsed("--classes LIST", options->classes,
+                 "Contact classes, separated by commas; with --linear by default VF,EE,VE,VV",
                  &parse_classes, "FF,EF,EE,VF,VE,VV");
-  command.choice(
+  const Option construction = command.choice(
       "--construction HOW", options->construction,
-      "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
+      "Of quadratic triangles. paper: as the paper makes them. one-sided: each patch on its own "
+      "side of a plane");
+  command
+      .flag("--linear", options->linear,
+            "Only points, edges and triangles in place of quadratic triangles: vertex-face, "
+            "edge-edge, point-edge, point-point")
+      .excludes(construction);
   add_methods(command, options->methods,
               "Methods, separated by commas; the first is what the others are compared with");
   options->search.max_pops = kBenchPops;

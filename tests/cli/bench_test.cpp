@@ -28,6 +28,20 @@ TEST(Bench, EveryClassHasARowForEachMethodAndTheFirstIsTheMeasure) {
   EXPECT_EQ(rows[1]["pops"], rows[2]["pops"]);
 }
 
+TEST(Bench, OfMeshesAsksAPluginThatTakesThemAlone) {
+  const std::string plugin = "plugin:" CCDFUZZ_TEST_LINEAR_PLUGIN;
+  const std::vector<std::string> arguments = {"bench",     "--linear",          "--count", "2",
+                                              "--methods", "tdibm-c," + plugin, "--json"};
+  const auto rows = json_lines(succeeded(ccdfuzz(arguments)).out);
+  ASSERT_EQ(rows.size(), 8U);  // of VF, EE, VE and VV
+  for (const auto& row : rows) {
+    const bool is_asked =
+        row["method"] == "tdibm-c" || row["class"] == "VF" || row["class"] == "EE";
+    EXPECT_EQ(row["n"], is_asked ? 4 : 0) << row;
+  }
+  refused(ccdfuzz(with(arguments, {"--classes", "VF,FF"})), "--classes: FF");
+}
+
 TEST(Bench, AQueryStopsAtTheBudgetAndTheTableSaysSo) {
   const std::vector<std::string> arguments = {
       "bench", "--classes", "EF",           "--count",    "1", "--seed",
