@@ -19,6 +19,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "io/supervise.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -320,6 +322,10 @@ Fault Child::ended() {
   }
   pid_ = -1;
   kill();
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kStartsNoneCode &&
+      printed.find(kStartsNone) != printed.npos) {
+    system_refused("start a process", EAGAIN);  // what it was to run is not to blame
+  }
   // Linux counts what this process had when it became another by exec: then less is not known.
   auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
   if (kibibytes <= own_kibibytes_) kibibytes = 0;

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace ccdfuzz {
@@ -73,7 +74,10 @@ void continue_below_a_watcher() {
   ::prctl(PR_SET_PDEATHSIG, SIGHUP);
   const pid_t watcher = ::getpid();
   const pid_t child = ::fork();
-  if (child < 0) std::_Exit(1);
+  if (child < 0) {
+    std::fprintf(stderr, "%s: %s\n", kStartsNone, std::strerror(errno));
+    std::_Exit(kStartsNoneCode);
+  }
   if (child > 0) supervise(child, awaited);
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -11,4 +11,9 @@ namespace ccdfuzz {
 /// watchers, and the upper one is neither its parent nor in its group.
 void continue_in_supervised_child();
 
+/// What a watcher prints that can start no process, on stderr, and its exit code: whoever hears
+/// both does not blame the child, which never was.
+inline constexpr const char* kStartsNone = "ccdfuzz: cannot start a process";
+inline constexpr int kStartsNoneCode = 71;
+
 }  // namespace ccdfuzz
