@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "base/verify.hpp"
+#include "io/descriptor.hpp"
 
 namespace ccdfuzz {
 
@@ -66,11 +67,15 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-bool is_standard_output(const std::string& path) {
+bool is_path_of(const std::string& path, int descriptor) {
   using Status = struct stat;
-  Status at_path{}, standard{};
-  return ::stat(path.c_str(), &at_path) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
-         at_path.st_dev == standard.st_dev && at_path.st_ino == standard.st_ino;
+  Status at_path{}, held{};
+  return ::stat(path.c_str(), &at_path) == 0 && ::fstat(descriptor, &held) == 0 &&
+         at_path.st_dev == held.st_dev && at_path.st_ino == held.st_ino;
+}
+
+bool is_standard_output(const std::string& path) {
+  return is_path_of(path, STDOUT_FILENO);
 }
 
 bool is_stream(const std::string& path) {
@@ -176,12 +181,7 @@ void OutputFile::abandon() {
 
 Result<void> OutputFile::write(std::string_view bytes) {
   CCDFUZZ_VERIFY(descriptor_ >= 0);
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failed("write", errno);
-    bytes.remove_prefix(static_cast<size_t>(written));
-  }
+  if (const int error = write_all(descriptor_, bytes)) return failed("write", error);
   return {};
 }
 

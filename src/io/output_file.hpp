@@ -8,6 +8,8 @@
 
 namespace ccdfuzz {
 
+/// Whether the file of an open descriptor is at the path.
+bool is_path_of(const std::string& path, int descriptor);
 /// Whether the path is that of the standard output, such as /dev/stdout. Its file may have no name
 /// by now, and what others write to it stays.
 bool is_standard_output(const std::string& path);

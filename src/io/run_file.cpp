@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/ranges.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,14 +31,6 @@ std::map<std::string, std::string> parts_of(const RunHeader& header) {
 
 std::string text_of(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.of);
-}
-
-/// True iff the descriptor's file is the one at the path.
-bool stands_at(const std::string& path, int descriptor) {
-  struct stat named {
-  }, held{};
-  return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &held) == 0 &&
-         named.st_dev == held.st_dev && named.st_ino == held.st_ino;
 }
 
 /// Some file systems of clusters know no locks; there it is for the user to run one at a time.
@@ -118,7 +109,7 @@ Result<RunFile> RunFile::open(const std::string& path, const RunHeader& header) 
       return system_error(path, "lock", errno);
     }
     // The one who held it before may have finished and taken it away.
-    if (!stands_at(path, descriptor)) continue;
+    if (!is_path_of(path, descriptor)) continue;
     CCDFUZZ_TRY_VOID(file.resume(header));
     return file;
   }
@@ -165,12 +156,7 @@ Result<void> RunFile::append(std::string_view line) {
 }
 
 Result<void> RunFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(*descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return system_error(path_, "write", errno);
-    bytes.remove_prefix(static_cast<size_t>(written));
-  }
+  if (const int error = write_all(*descriptor_, bytes)) return system_error(path_, "write", error);
   return {};
 }
 

@@ -56,15 +56,6 @@ std::string worked(const std::function<std::string(const std::string&)>& work,
   }
 }
 
-void send_line(int to, std::string line) {
-  line += '\n';
-  for (std::size_t done = 0; done < line.size();) {
-    const ssize_t n = ::write(to, line.data() + done, line.size() - done);
-    if (n <= 0) std::_Exit(1);
-    done += static_cast<std::size_t>(n);
-  }
-}
-
 }  // namespace
 
 void serve_lines(const std::function<std::string(const std::string&)>& work, double cpu_seconds) {
@@ -90,7 +81,7 @@ void serve_lines(const std::function<std::string(const std::string&)>& work, dou
     std::string answer = worked(work, question, failed);
     limit_cpu_seconds(0);
     std::fflush(nullptr);
-    send_line(replies, std::move(answer));
+    if (write_all(replies, answer + "\n") != 0) std::_Exit(1);
     if (failed) break;
   }
   std::_Exit(0);

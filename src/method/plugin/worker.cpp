@@ -22,6 +22,7 @@
 
 #include "base/stopwatch.hpp"
 #include "bezier/shape.hpp"
+#include "io/descriptor.hpp"
 #include "io/process_limits.hpp"
 #include "io/supervise.hpp"
 #include "method/plugin/feature_claims.hpp"
@@ -33,11 +34,7 @@ using Json = nlohmann::json;
 int reply_descriptor = STDOUT_FILENO;
 
 void send(const std::string& line) {
-  for (size_t done = 0; done < line.size();) {
-    const ssize_t n = ::write(reply_descriptor, line.data() + done, line.size() - done);
-    if (n <= 0) std::_Exit(1);
-    done += static_cast<size_t>(n);
-  }
+  if (ccdfuzz::write_all(reply_descriptor, line) != 0) std::_Exit(1);
 }
 
 void send(const Json& reply) {
