@@ -1,12 +1,12 @@
 #include "hunt/hunt.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <exception>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "base/fp_guard.hpp"
@@ -15,6 +15,7 @@
 #include "hunt/draw.hpp"
 #include "hunt/schedule.hpp"
 #include "io/cpu_time.hpp"
+#include "io/in_order.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 
@@ -52,13 +53,17 @@ struct Nursery {
   std::map<std::uint64_t, std::vector<CheckedCase>> waiting = {};
 };
 
+/// A query that takes no longer than kLongestQuerySeconds.
+SearchOptions limited(SearchOptions search) {
+  search.max_seconds = std::min(search.max_seconds, kLongestQuerySeconds);
+  return search;
+}
+
 /// A hunt by time depends on the clock anyway. A plug-in is asked nothing more about a query after
 /// kLongestQuerySeconds. For the question that it has it may take its own time (seconds=S), and so
 /// delay the end by that.
 HuntOptions within_its_time(HuntOptions options) {
-  if (!options.cases) {
-    options.search.max_seconds = std::min(options.search.max_seconds, kLongestQuerySeconds);
-  }
+  if (!options.cases) options.search = limited(options.search);
   return options;
 }
 
@@ -71,17 +76,30 @@ class Hunt {
         stop_(stop),
         intake_(
             store, [this] { return Asker(options_.search); },
-            [this] { return Asker(confirming(), MethodSet(make_served_method)); }),
+            // Stored entries may have been met with any number of pops.
+            [this] { return Asker(limited(options_.search), MethodSet(make_served_method)); }),
         schedule_(make_cells(), options.cases) {}
 
   HuntReport run() {
     const FpGuard guard;
-    {
-      std::vector<std::jthread> workers;
-      for (int t = 1; t < options_.threads; ++t) workers.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    tbb::enumerable_thread_specific<Asker> askers([this] { return Asker(options_.search); });
+    stream_in_order<std::pair<Turn, Done>>(
+        options_.threads, [this] { return next_turn(); },
+        [&](const Turn& turn) {
+          Asker& asker = askers.local();
+          Done done = turn.what == Turn::What::kDraw ? draw(turn, asker) : breed(turn, asker);
+          if (!options_.cases) offer(done);
+          return std::pair(turn, std::move(done));
+        },
+        [this](std::pair<Turn, Done> next) {
+          auto& [turn, done] = next;
+          if (options_.cases && met_) return;  // another thread was ahead
+          if (options_.cases) offer(done);
+          const std::lock_guard lock(mutex_);
+          record(turn, done);
+        },
+        // So that a hunt by cases repeats, its course too.
+        options_.cases ? Order::kOfItems : Order::kNone);
     count_cases();
     const Result<void> stored = stop_ ? intake_.store_all() : finish();
     if (!stored) report_.error = stored.error();
@@ -122,41 +140,13 @@ class Hunt {
     return method.runs_elsewhere() ? watch_.seconds() : thread_cpu_seconds();
   }
 
-  /// Stored entries may have been met with any number of pops.
-  SearchOptions confirming() const {
-    SearchOptions search = options_.search;
-    search.max_seconds = std::min(search.max_seconds, kLongestQuerySeconds);
-    return search;
-  }
-
-  /// One thread, in whatever floating-point environment it was started.
-  void work() {
-    const FpGuard guard;
-    try {
-      Asker asker(options_.search);  // of this thread
-      std::unique_lock lock(mutex_);
-      while (!is_over()) {
-        const std::optional<Turn> turn = schedule_.next();
-        if (!turn) return;
-        lock.unlock();
-        Done done = turn->what == Turn::What::kDraw ? draw(*turn, asker) : breed(*turn, asker);
-        if (!options_.cases) offer(done);
-        lock.lock();
-        if (options_.cases) {
-          record_in_turn(*turn, std::move(done));
-        } else {
-          record(*turn, done);
-        }
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      failed_ = true;
-    }
+  std::optional<Turn> next_turn() {
+    const std::lock_guard lock(mutex_);
+    return is_over() ? std::nullopt : schedule_.next();
   }
 
   bool is_over() const {
-    return stop_ || failed_ || met_ || (!options_.cases && watch_.seconds() >= options_.seconds);
+    return stop_ || met_ || (!options_.cases && watch_.seconds() >= options_.seconds);
   }
 
   /// How many draws of a cell are bred of, of so many begun.
@@ -229,8 +219,7 @@ class Hunt {
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
     const auto goes_on = [&] {
-      return left-- > 0 && !stop_ && !failed_ &&
-             (options_.cases || clock_of(method) - start < kSlice);
+      return left-- > 0 && !stop_ && (options_.cases || clock_of(method) - start < kSlice);
     };
     done.bred = !breeder.empty();
     while (done.bred && goes_on()) {
@@ -244,21 +233,10 @@ class Hunt {
     return done;
   }
 
-  /// Outside of the lock if it may: the intake may ask a method about entries of the store.
+  /// The intake may ask a method about entries of the store: outside of the lock.
   void offer(Done& done) {
     for (const auto& [failure, find] : done.failures) {
       if (intake_.offer(failure, find)) done.met.push_back(failure);
-    }
-  }
-
-  /// So that the course of a hunt by cases repeats, too.
-  void record_in_turn(const Turn& turn, Done done) {
-    waiting_.emplace(turn.number, std::pair(turn, std::move(done)));
-    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == recorded_;
-         next = waiting_.erase(next)) {
-      offer(next->second.second);
-      record(next->second.first, next->second.second);
-      ++recorded_;
     }
   }
 
@@ -300,7 +278,7 @@ class Hunt {
     std::map<ContactClass, std::uint64_t> most;
     for (size_t c = 0; c < report_.cells.size(); ++c) {
       std::uint64_t& draws = most[report_.cells[c].contact];
-      draws = std::max(draws, schedule_.draws_begun(c));
+      draws = std::max(draws, schedule_.draws_done(c));
     }
     for (const auto& [contact, draws] : most) report_.cases += draws;
   }
@@ -330,14 +308,10 @@ class Hunt {
   HuntReport report_;
   std::vector<Nursery> nurseries_;  ///< one a cell; each is bred by one thread at a time
 
-  std::mutex mutex_;  ///< guards all below, the report and what waits, while workers run
+  std::mutex mutex_;  ///< guards all below, the report and what waits, while threads are at work
   Schedule schedule_;
-  std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
-  std::uint64_t recorded_ = 0;                              ///< turns before which none waits
   double next_sample_ = 0;  ///< the share at which HuntReport::course goes on
-  std::exception_ptr failure_;
-  std::atomic<bool> failed_ = false;
-  std::atomic<bool> met_ = false;  ///< HuntOptions::until
+  bool met_ = false;        ///< HuntOptions::until
 };
 
 }  // namespace

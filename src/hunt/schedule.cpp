@@ -17,8 +17,8 @@ std::optional<Turn> Schedule::next() {
   const std::uint64_t draws = *draws_ * cells_.size();
   if (given_ == draws + cells_.size()) return std::nullopt;
   const std::uint64_t place = given_++;
-  if (place >= draws) return Turn{place - draws, Turn::What::kBreed, *draws_, place};
-  Turn turn{place % cells_.size(), Turn::What::kDraw, place / cells_.size(), place};
+  if (place >= draws) return Turn{place - draws, Turn::What::kBreed, *draws_};
+  Turn turn{place % cells_.size(), Turn::What::kDraw, place / cells_.size()};
   ++cells_[turn.cell].draws;
   return turn;
 }
@@ -36,8 +36,7 @@ Turn Schedule::next_by_time() {
   Cell& cell = *next;
   ++cell.running;
   ++cell.turns;
-  Turn turn{static_cast<std::size_t>(&cell - cells_.data()), Turn::What::kDraw, cell.draws,
-            given_++};
+  Turn turn{static_cast<std::size_t>(&cell - cells_.data()), Turn::What::kDraw, cell.draws};
   if (!cell.breeds && cell.bred < cell.drawn) {
     turn.what = Turn::What::kBreed;
     cell.breeds = true;
@@ -54,6 +53,7 @@ void Schedule::done(const Turn& turn, double seconds, bool bred) {
   if (!draws_) --cell.running;
   if (turn.what == Turn::What::kDraw) {
     ++draws_done_;
+    ++cell.draws_done;
     cell.drawn += seconds;
     return;
   }

@@ -15,8 +15,7 @@ struct Turn {
   };
   std::size_t cell = 0;
   What what = What::kDraw;
-  std::uint64_t draw = 0;    ///< its index; of a breeding turn, how many the cell has begun
-  std::uint64_t number = 0;  ///< how many turns were given before it
+  std::uint64_t draw = 0;  ///< its index; of a breeding turn, how many the cell has begun
 };
 
 /// Whose turn it is, and for what. Not synchronised: the caller locks.
@@ -39,7 +38,7 @@ class Schedule {
   void done(const Turn& turn, double seconds, bool bred = true);
 
   double used(std::size_t cell) const { return cells_[cell].drawn + cells_[cell].bred; }
-  std::uint64_t draws_begun(std::size_t cell) const { return cells_[cell].draws; }
+  std::uint64_t draws_done(std::size_t cell) const { return cells_[cell].draws_done; }
   /// By draws: how much of all is done, in [0, 1]; half of it is breeding.
   double share_done() const;
 
@@ -47,8 +46,9 @@ class Schedule {
   struct Cell {
     double drawn = 0, bred = 0;  ///< seconds of turns that are over
     double last = 0;             ///< what its last turn cost
-    std::uint64_t running = 0, turns = 0, draws = 0;
-    bool breeds = false;  ///< now
+    std::uint64_t running = 0, turns = 0;
+    std::uint64_t draws = 0, draws_done = 0;  ///< begun; over
+    bool breeds = false;                      ///< now
   };
 
   Turn next_by_time();

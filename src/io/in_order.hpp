@@ -13,17 +13,22 @@
 
 namespace ccdfuzz {
 
+/// Whether results reach a sink in the order of their items, or as they come.
+enum class Order { kOfItems, kNone };
+
 /// Runs work(item) on `threads` threads for each item that next() returns, until it returns
 /// nothing. Sink gets the results one at a time, in the order of the items, on any number of
 /// threads. next returns a std::optional and is called by one thread at a time. All three run in a
 /// sound floating-point environment, whatever the threads were started in (FpGuard). They may
 /// throw: the first exception ends the run and is thrown here. At most 64 items per thread are
-/// held. Requires threads ≥ 1. Returns how many results reached sink.
+/// held, and one without an order. Requires threads ≥ 1. Returns how many results reached sink.
 template <class Result, class Next, class Work, class Sink>
-size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink) {
+size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink,
+                       Order order = Order::kOfItems) {
   using Item = decltype(next());
+  const bool has_order = order == Order::kOfItems;
   // Enough in flight that one slow item does not idle the other threads, few enough to stay small.
-  const auto in_flight = static_cast<size_t>(threads) * 64;
+  const auto in_flight = static_cast<size_t>(threads) * (has_order ? 64 : 1);
   // Calls from several threads at once are not wanted, so the arena may be as wide as asked for,
   // also beyond the number of cores.
   const tbb::global_control width(tbb::global_control::max_allowed_parallelism,
@@ -45,11 +50,13 @@ size_t stream_in_order(int threads, const Next& next, const Work& work, const Si
                                              const FpGuard guard;
                                              return work(*std::move(item));
                                            }) &
-            tbb::make_filter<Result, void>(tbb::filter_mode::serial_in_order, [&](Result result) {
-              const FpGuard guard;
-              sink(std::move(result));
-              ++done;
-            }));
+            tbb::make_filter<Result, void>(has_order ? tbb::filter_mode::serial_in_order
+                                                     : tbb::filter_mode::serial_out_of_order,
+                                           [&](Result result) {
+                                             const FpGuard guard;
+                                             sink(std::move(result));
+                                             ++done;
+                                           }));
   });
   return done;
 }

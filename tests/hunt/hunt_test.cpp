@@ -77,5 +77,24 @@ TEST(Hunt, EndsWithTheFirstCounterexampleOfAnOutcome) {
       report.finds, [](const Find& find) { return find.failure.outcome == Outcome::kMissed; }));
 }
 
+// Other threads are ahead then: what they did does not count.
+TEST(Hunt, ByCasesEndsAtTheSamePlaceOnAnyNumberOfThreads) {
+  const auto hunted = [](int threads) {
+    HuntOptions options;
+    options.methods = {"tdibm", "tdibm-c"};
+    options.ground.linear = true;
+    options.cases = 100;
+    options.until = Outcome::kMissed;
+    options.threads = threads;
+    const HuntReport report = Hunted(options).report;
+    std::vector<std::uint64_t> counts = {report.cases, report.finds.size()};
+    for (const HuntCell& cell : report.cells) counts.push_back(cell.tally.n);
+    return counts;
+  };
+  const std::vector<std::uint64_t> expected = hunted(1);
+  EXPECT_LT(expected[0], 400U);
+  EXPECT_EQ(hunted(3), expected);
+}
+
 }  // namespace
 }  // namespace ccdfuzz
