@@ -207,19 +207,16 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
   const bool had_pairs = !ground.pairs.empty();
   std::erase_if(ground.pairs,
                 [&](const Domain::Pair& pair) { return is_pair_of_hulls(pair) != ground.bodies; });
-  if (had_pairs && ground.pairs.empty()) return nothing();
-  if (is_of_patches && ground.drawn_shapes().empty()) return nothing();
-  if (ground.uniform && !ground.bodies &&
-      std::ranges::none_of(kLinearPairs,
-                           [&](const ShapePair& p) { return ground.has_shapes(p); })) {
-    return nothing();
-  }
-  if (ground.shapes && !ground.has_shapes(*ground.shapes)) return nothing();
-  if (ground.bodies && std::ranges::none_of(kContactClasses, [&](ContactClass contact) {
-        return has_bodies(ground.body_kinds, contact);
-      })) {
-    return nothing();
-  }
+  const auto is_on = [&](const ShapePair& pair) { return ground.has_shapes(pair); };
+  const auto has_some = [&](ContactClass contact) {
+    return has_bodies(ground.body_kinds, contact);
+  };
+  const bool is_drawn = ground.bodies
+                            ? std::ranges::any_of(kContactClasses, has_some)
+                            : (!is_of_patches || !ground.drawn_shapes().empty()) &&
+                                  (!ground.uniform || std::ranges::any_of(kLinearPairs, is_on)) &&
+                                  (!ground.shapes || is_on(*ground.shapes));
+  if (!is_drawn || (had_pairs && ground.pairs.empty())) return nothing();
   return ground;
 }
 

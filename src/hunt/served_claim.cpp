@@ -15,6 +15,14 @@
 
 namespace ccdfuzz {
 
+template <>
+struct JsonForm<Check> {
+  static void fields(auto& archive, auto& check) {
+    archive("status", check.status);
+    archive("text", check.text);
+  }
+};
+
 namespace {
 
 /// Where the choices come from: "numbers", or "draw": a seed and the index of a draw. For "draws",
@@ -27,16 +35,6 @@ struct Question {
     archive("claim", question.claim);
     archive("of", question.of);
     archive("numbers", question.numbers);
-  }
-};
-
-struct Said {
-  Check::Status status = Check::Status::kHolds;
-  std::string text;
-
-  static void fields(auto& archive, auto& said) {
-    archive("status", said.status);
-    archive("text", said.text);
   }
 };
 
@@ -100,9 +98,15 @@ Check run_on(const Property& property, const Question& question) {
   return run_and_record(property, stored);
 }
 
-ChildProgram child_of(const MadeChoices& made, const std::atomic<bool>* interrupted) {
+Descriptor file_in_memory() {
+  Descriptor file(::memfd_create("choices", MFD_CLOEXEC));
+  if (*file >= 0) return file;
+  throw std::system_error(errno, std::generic_category(), "cannot share a file with a process");
+}
+
+ChildProgram child_of(const Descriptor& made, const std::atomic<bool>* interrupted) {
   ChildProgram program = value_or_throw(served_child({"--claims"}, kServedLimits));
-  program.inherited = made.descriptor();
+  program.inherited = *made;
   program.interrupted = interrupted;
   return program;
 }
@@ -114,28 +118,11 @@ std::string served_check(const std::vector<Property>& claims, const std::string&
   const auto claim = std::ranges::find(claims, asked.claim, &Property::name);
   if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked.claim);
   if (asked.of == "draws") return to_json(run_on_draws(*claim, asked.numbers));
-  const Check check = run_on(*claim, asked);
-  return to_json(Said{check.status, check.text});
-}
-
-MadeChoices::MadeChoices() : file_(::memfd_create("choices", MFD_CLOEXEC)) {
-  if (*file_ < 0) {
-    throw std::system_error(errno, std::generic_category(), "cannot share a file with a process");
-  }
-}
-
-void MadeChoices::clear() {
-  static_cast<void>(::ftruncate(*file_, 0));
-}
-
-void MadeChoices::read_into(InputRun& run) const {
-  const off_t size = ::lseek(*file_, 0, SEEK_END);
-  ChoiceNumbers made(static_cast<std::size_t>(size) / sizeof made[0]);
-  if (::pread(*file_, made.data(), static_cast<std::size_t>(size), 0) == size) run.numbers = made;
+  return to_json(run_on(*claim, asked));
 }
 
 ServedClaims::ServedClaims(const std::atomic<bool>* interrupted)
-    : child_(child_of(made_, interrupted)) {}
+    : made_(file_in_memory()), child_(child_of(made_, interrupted)) {}
 
 void CheckTally::add(const CheckTally& next) {
   if (failed == 0 && next.failed > 0) {
@@ -169,11 +156,12 @@ CheckTally ServedClaims::on_draws(const Property& property, std::uint64_t seed, 
 }
 
 InputRun ServedClaims::ask(const Property& property, const char* of, const ChoiceNumbers& numbers) {
-  made_.clear();  // what a child never reads has no choices
-  const auto said =
-      ask_served<Said>(child_, to_json(Question{std::string(property.name), of, numbers}));
+  static_cast<void>(::ftruncate(*made_, 0));  // what a child never reads has no choices
+  auto said = ask_served<Check>(child_, to_json(Question{std::string(property.name), of, numbers}));
   InputRun run;
-  made_.read_into(run);
+  const off_t size = ::lseek(*made_, 0, SEEK_END);
+  ChoiceNumbers made(static_cast<std::size_t>(size) / sizeof made[0]);
+  if (::pread(*made_, made.data(), static_cast<std::size_t>(size), 0) == size) run.numbers = made;
   if (!said) {
     run.check = Check::fails(said.error().name + ": " + said.error().note);
     run.error = said.error().name;
@@ -181,7 +169,7 @@ InputRun ServedClaims::ask(const Property& property, const char* of, const Choic
     if (run.error == "hang" && of == std::string_view("numbers")) run.numbers = numbers;
     return run;
   }
-  run.check = {said->status, said->text};
+  run.check = *std::move(said);
   return run;
 }
 

@@ -11,21 +11,6 @@
 
 namespace ccdfuzz {
 
-/// The choices that a child made, which outlive its crash: in a file in memory that both have.
-class MadeChoices {
- public:
-  /// Errors: throws std::system_error where the system refuses a file.
-  MadeChoices();
-
-  int descriptor() const { return *file_; }
-  void clear();
-  /// Sets run.numbers.
-  void read_into(InputRun& run) const;
-
- private:
-  Descriptor file_;
-};
-
 /// The results of one property on inputs.
 struct CheckTally {
   std::uint64_t checked = 0, discarded = 0, failed = 0;
@@ -53,7 +38,7 @@ struct CheckTally {
 class ServedClaims {
  public:
   /// interrupted: true ends what has taken long by then. Errors: throws InputError's text where the
-  /// program is not there.
+  /// program is not there, and std::system_error where the system refuses a file.
   explicit ServedClaims(const std::atomic<bool>* interrupted = nullptr);
 
   /// What ends the child is an error, with what is known of it as the text.
@@ -76,7 +61,7 @@ class ServedClaims {
  private:
   InputRun ask(const Property& property, const char* of, const ChoiceNumbers& numbers);
 
-  MadeChoices made_;
+  Descriptor made_;  ///< the choices that the child made, which outlive its crash: a file in memory
   Child child_;
 };
 

@@ -160,19 +160,13 @@ tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
 }
 
 std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, const Case& known) {
-  const auto asked_alike = [&](const Case& asked) -> std::optional<Confirmed> {
-    auto failure = asker_.failure(method, asked);
-    return failure ? std::optional(Confirmed{asked, *std::move(failure)}) : std::nullopt;
-  };
-  bool as_it_stands = false;  // was asked: a fuzzer may have left any t_max
-  for (const double factor : kHorizonFactors) {
-    const std::optional<double> t_max = horizon_of(known, factor);  // none without a witness
-    if (!t_max) continue;
-    if (auto failure = asked_alike(with_t_max(known, *t_max))) return failure;
-    as_it_stands = as_it_stands || *t_max == known.query.t_max;
+  std::vector<CheckedCase> forms = forms_of(checked_or_unknown(known));
+  forms.push_back(checked_or_unknown(known));  // a fuzzer may have left any t_max
+  for (const CheckedCase& asked : forms) {
+    auto failure = asker_.failure(method, asked.value());
+    if (failure) return Confirmed{asked.value(), *std::move(failure)};
   }
-  if (as_it_stands) return std::nullopt;
-  return asked_alike(with_t_max(known, known.query.t_max));
+  return std::nullopt;
 }
 
 }  // namespace ccdfuzz
