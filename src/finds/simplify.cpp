@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bezier/bernstein.hpp"
+#include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
@@ -16,15 +17,6 @@ namespace {
 using Offer = std::function<bool(const Contact&)>;
 
 constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
-
-template <class Visit>
-void visit_coordinates(Contact& q, const Visit& visit) {
-  for (MovingPatch<double>& patch : q.query.patches) for_each_coordinate(patch, visit);
-}
-
-int significant_bits(double x) {
-  return x == 0 ? 0 : static_cast<int>(mpz_sizeinbase(Dyadic::exact(x).mantissa().get_mpz_t(), 2));
-}
 
 std::uint64_t bits_of(const Dyadic& x) {
   return x.sign() == 0 ? 0 : mpz_sizeinbase(x.mantissa().get_mpz_t(), 2);
@@ -197,16 +189,6 @@ void offer_units(const Contact& q, const Offer& offer) {
     }
     if (exact) offer(next);
   }
-  const auto largest_exponent = [&](PatchField array) {
-    double largest = 0;
-    Contact copy = q;
-    for (MovingPatch<double>& patch : copy.query.patches) {
-      for (const Vec3<double>& p : array(patch)) {
-        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
-      }
-    }
-    return largest == 0 ? 0 : std::ilogb(largest);
-  };
   const auto scale = [](Contact& next, PatchField array, int shift) {
     for (MovingPatch<double>& patch : next.query.patches) {
       for (Vec3<double>& p : array(patch)) {
@@ -219,7 +201,8 @@ void offer_units(const Contact& q, const Offer& offer) {
     }
     return true;
   };
-  if (const int shift = -largest_exponent(kPatchFields[0]); shift != 0) {
+  const double largest = largest_coordinate(q.query);
+  if (const int shift = largest == 0 ? 0 : -std::ilogb(largest); shift != 0) {
     Contact next = q;
     next.query.separation = std::ldexp(q.query.separation, shift);
     const bool is_exact = std::ldexp(next.query.separation, -shift) == q.query.separation;
@@ -282,7 +265,9 @@ void offer_times(const Contact& q, const Offer& offer) {
 void offer_wholesale(const Contact& q, const Offer& offer) {
   for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
     Contact next = q;
-    visit_coordinates(next, [bits](double& x) { x = with_bits(x, bits, std::trunc); });
+    for (MovingPatch<double>& patch : next.query.patches) {
+      for_each_coordinate(patch, [bits](double& x) { x = with_bits(x, bits, std::trunc); });
+    }
     if (offer(next)) break;
   }
   for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
@@ -323,7 +308,7 @@ void offer_point_by_point(const Contact& q, const Offer& offer) {
             return array(of.query.patches[side])[i][k];
           };
           next = q;
-          const int now = significant_bits(number(next));
+          const auto now = static_cast<int>(bits_of(Dyadic::exact(number(next))));
           if (now == 0) continue;
           for (int bits = 0; bits < now; bits = bits < 2 ? bits + 1 : bits * 2) {
             next = q;
@@ -355,11 +340,10 @@ Simplicity simplicity_of(const Contact& q) {
     s.different_points += patch.has_ends() ? 32 : 0;
     s.different_points += patch.weights.empty() ? 0 : 32;
     for (const auto& loop : patch.trim) s.different_points += 32 + loop.size();
+    for_each_coordinate(patch, [&](double x) {
+      if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
+    });
   }
-  Contact copy = q;
-  visit_coordinates(copy, [&](double x) {
-    if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
-  });
   return s;
 }
 
