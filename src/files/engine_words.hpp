@@ -12,6 +12,10 @@
 
 namespace ccdfuzz {
 
+/// How a file of tests of a plug-in begins (test_preamble), as it was when this program was built.
+/// __FRAMEWORK__ stands for the headers of the test framework.
+std::string_view plugin_test_template();
+
 /// A body as the adapters give it to engines (examples/engines/bodies.mjs): its points about a
 /// centre. The centre is the middle of its box, or 0 where that or a difference is no float.
 struct EngineBody {

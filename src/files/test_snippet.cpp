@@ -10,148 +10,12 @@
 
 #include "base/text.hpp"
 #include "case/scale.hpp"
+#include "files/engine_words.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-constexpr const char* kPreamble = R"(#include <ccdfuzz_plugin.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
-{0}
-namespace {{
-
-ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
-                         std::uint64_t count, const double (*positions)[3],
-                         const double (*velocities)[3], const double (*ends)[3] = nullptr,
-                         const double* weights = nullptr, double radius = 0) {{
-  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
-          positions, velocities, ends, weights, radius,
-          0, nullptr, nullptr, 0, nullptr, nullptr, {{}}, 0, nullptr, 0}};
-}}
-
-/// The plug-in that this is linked with.
-struct Plugin {{
-  const ccdfuzz_plugin* const table = ccdfuzz_plugin_get();
-  void* state = nullptr;
-  ccdfuzz_description description{{}};
-
-  Plugin() {{
-    const char* const given = std::getenv("CCDFUZZ_PLUGIN_OPTIONS");
-    const std::string options = given != nullptr ? given : "";
-    if (table->create(options.c_str(), &state) != 0) {{
-      throw std::runtime_error("the plug-in refuses CCDFUZZ_PLUGIN_OPTIONS=\"" + options + "\"");
-    }}
-    description.size = sizeof description;
-    table->describe(state, &description);
-  }}
-  ~Plugin() {{ table->destroy(state); }}
-}};
-
-/// The patch as ccdfuzz asks about it. A plug-in gets one of ends and velocities. One that takes no
-/// weights gets no equal ones.
-ccdfuzz_patch as_taken(ccdfuzz_patch patch, std::uint32_t claims) {{
-  if (patch.velocities != nullptr && patch.ends != nullptr) {{
-    ((claims & CCDFUZZ_TAKES_ENDS) != 0 ? patch.velocities : patch.ends) = nullptr;
-  }}
-  const double* const weights = patch.weights;
-  const bool are_equal = weights != nullptr && std::all_of(weights, weights + patch.count,
-                                                           [=](double w) {{ return w == *weights; }});
-  if (are_equal && (claims & CCDFUZZ_TAKES_WEIGHTS) == 0) patch.weights = nullptr;
-  return patch;
-}}
-
-/// Asks it, with the patches in the order that it takes.
-ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
-  const Plugin plugin;
-  ccdfuzz_answer answer{{}};
-  const ccdfuzz_description& description = plugin.description;
-  const auto takes = [&](const ccdfuzz_patch& first, const ccdfuzz_patch& second) {{
-    return std::any_of(description.pairs, description.pairs + description.pair_count,
-                       [&](const ccdfuzz_pair& pair) {{
-                         return pair.shapes[0] == first.shape && pair.shapes[1] == second.shape;
-                       }});
-  }};
-  if (!takes(a, b) && takes(b, a)) std::swap(a, b);
-  a = as_taken(a, description.claims);
-  b = as_taken(b, description.claims);
-  ccdfuzz_query query{{}};
-  query.size = sizeof query;
-  query.patches[0] = &a;
-  query.patches[1] = &b;
-  query.t_max = t_max;
-  query.precision = 1e-4;
-  query.max_iterations = 1000000;
-  query.max_seconds = 60;
-  query.separation = separation;
-  answer.size = sizeof answer;
-  answer.toi_lower = answer.toi_upper = answer.tolerance = std::nan("");
-  for (auto& uv : answer.uv) uv[0] = uv[1] = std::nan("");
-  if (plugin.table->answer(plugin.state, &query, &answer) != 0) answer.verdict = CCDFUZZ_ERROR;
-  return answer;
-}}
-
-/// Whether the plug-in claims that, such as CCDFUZZ_CLOSED_T_MAX.
-[[maybe_unused]] bool claims(std::uint32_t claim) {{
-  return (Plugin().description.claims & claim) != 0;
-}}
-
-/// What the plug-in and its answer tolerate of a kind, which may be relative to a whole.
-[[maybe_unused]] double tolerated(const ccdfuzz_answer& answer, std::uint32_t absolute,
-                                  std::uint32_t relative, double whole) {{
-  const ccdfuzz_description claimed = Plugin().description;
-  const bool is_relative = claimed.tolerance_kind == relative;
-  double most = is_relative || claimed.tolerance_kind == absolute ? claimed.tolerance : 0;
-  if (claims(CCDFUZZ_CONSERVATIVE)) most = 0;
-  if (answer.tolerance < most) most = answer.tolerance;
-  return is_relative ? most * whole : most;
-}}
-
-/// Whether a hit is no later than the tolerance in time that the plug-in claims allows.
-[[maybe_unused]] bool is_in_time(const ccdfuzz_answer& answer, double contact, double t_max) {{
-  return answer.toi_lower - contact <=
-         tolerated(answer, CCDFUZZ_TOLERANCE_TIME, CCDFUZZ_TOLERANCE_TIME_RELATIVE, t_max);
-}}
-
-/// Whether a miss or late hit of bodies overlooks no more than the plug-in tolerates in space. They
-/// come nearer at this speed, along a direction that keeps them apart until `since`.
-[[maybe_unused]] bool is_shallow(const ccdfuzz_answer& answer, double speed, double since,
-                                 double t_max, double largest) {{
-  const double depth =
-      tolerated(answer, CCDFUZZ_TOLERANCE_SPACE, CCDFUZZ_TOLERANCE_SPACE_RELATIVE, largest);
-  const double until = answer.verdict == CCDFUZZ_HIT ? answer.toi_lower : t_max;
-  return !claims(CCDFUZZ_CONSERVATIVE) &&
-         speed * (until - since) <= depth + Plugin().description.minimum_separation;
-}}
-
-/// Whether a hit without a contact may be near enough for what the plug-in claims: a separation, or
-/// a tolerance in space. `ccdfuzz replay` measures distances, these tests do not.
-[[maybe_unused]] bool may_be_near() {{
-  const ccdfuzz_description claimed = Plugin().description;
-  return claimed.minimum_separation > 0 || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE ||
-         claimed.tolerance_kind == CCDFUZZ_TOLERANCE_SPACE_RELATIVE;
-}}
-
-/// Whether it is an answer to a query about [0, t_max] at all.
-bool is_answer(const ccdfuzz_answer& answer, double t_max) {{
-  if (answer.verdict != CCDFUZZ_HIT) {{
-    return answer.verdict == CCDFUZZ_MISS || answer.verdict == CCDFUZZ_INCONCLUSIVE ||
-           answer.verdict == CCDFUZZ_REFUSED;
-  }}
-  return answer.toi_lower >= 0 && answer.toi_lower <= t_max;
-}}
-
-}}  // namespace
-)";
 
 constexpr const char* kGoogleTestHeader = "#include <gtest/gtest.h>\n";
 constexpr const char* kCatch2Header = R"(#if __has_include(<catch2/catch_test_macros.hpp>)
@@ -270,7 +134,8 @@ std::string test_preamble(TestFramework framework) {
       "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
   out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
   out += "// The environment variable CCDFUZZ_PLUGIN_OPTIONS has the options of the plug-in.\n";
-  return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
+  return out + filled(std::string(plugin_test_template()),
+                      {{"__FRAMEWORK__", google ? kGoogleTestHeader : kCatch2Header}});
 }
 
 Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
