@@ -9,15 +9,13 @@
 namespace ccdfuzz {
 
 CorpusDriver::CorpusDriver(const std::string& corpus) {
-  Result<std::vector<NamedCase>> entries = load_corpus(corpus);
-  if (!entries) {
-    trouble_ = entries.error().message();
-    entries_.resize(1);
-    return;
-  }
-  // Those that were found at a precision of their own are not asked here.
-  std::erase_if(*entries, [](const NamedCase& e) { return !(e.value.asked == Asked()); });
-  entries_ = *std::move(entries);
+  const Result<void> read = for_each_entry(corpus, [this](const NamedCase& entry) {
+    // Those that were found at a precision of their own are not asked here.
+    if (entry.value.asked == Asked()) entries_.push_back(entry);
+  });
+  if (read) return;
+  trouble_ = read.error().message();
+  entries_.resize(1);
 }
 
 std::string CorpusDriver::operator()(std::uint64_t index) {

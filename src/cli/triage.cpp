@@ -187,7 +187,7 @@ class TriageRun {
       session_.progress().note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
     };
     if (!arguments_.known.empty()) {
-      for (const NamedCase& entry : need(load_corpus(arguments_.known))) store.know(entry);
+      need(for_each_entry(arguments_.known, [&](const NamedCase& entry) { store.know(entry); }));
     }
     Triage triage(store, options);
     const auto tell = [&](const Failure& failure, const Case&) {

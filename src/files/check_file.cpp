@@ -9,6 +9,19 @@
 
 namespace ccdfuzz {
 
+namespace {
+
+/// As check_case of the next case of a run, and RunWork::add.
+Result<void> check_in_run(const NamedCase& named) {
+  const std::uint64_t before = work_done_here();
+  const auto checked = check_case(named);
+  const Result<void> within = RunWork::add(named, work_done_here() - before);
+  if (!within || checked) return within;
+  return tl::unexpected(checked.error());
+}
+
+}  // namespace
+
 Result<CheckedCase> check_with_trees(Case value, const std::string& trees) {
   CCDFUZZ_TRY(const auto tree, tree_of(value.truth, trees));
   return check_case(std::move(value), tree);
@@ -20,14 +33,6 @@ Result<CheckedCase> check_case(const NamedCase& named) {
   InputError error = checked.error();
   error.where = fmt::format("{}: {}", named.id, error.where);
   return tl::unexpected(std::move(error));
-}
-
-Result<void> check_in_run(const NamedCase& named) {
-  const std::uint64_t before = work_done_here();
-  const auto checked = check_case(named);
-  const Result<void> within = RunWork::add(named, work_done_here() - before);
-  if (!within || checked) return within;
-  return tl::unexpected(checked.error());
 }
 
 Result<void> for_each_checked_case(const std::vector<std::string>& paths,

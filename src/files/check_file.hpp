@@ -16,16 +16,13 @@ Result<CheckedCase> check_with_trees(Case value, const std::string& trees);
 /// The same of a case from a file, and the trees beside it. Errors: naming its id, too.
 Result<CheckedCase> check_case(const NamedCase& named);
 
-/// The same of the next case of a run, one at a time. Errors: those, and of RunWork::add.
-Result<void> check_in_run(const NamedCase& named);
-
 /// Calls visit on every case of the files, one at a time, until it gives an error. Errors: as
-/// CaseStream and check_in_run.
+/// CaseStream, check_case and RunWork::add.
 Result<void> for_each_checked_case(const std::vector<std::string>& paths,
                                    const std::function<Result<void>(const NamedCase&)>& visit);
 
-/// Reads all cases of a file and refuses the first that check_in_run refuses. Errors: as
-/// read_cases and check_in_run, naming path and line.
+/// Reads all cases of a file and checks them. Errors: as read_cases, check_case and RunWork::add,
+/// naming path and line.
 Result<std::vector<NamedCase>> read_checked_cases(const std::string& path);
 
 }  // namespace ccdfuzz

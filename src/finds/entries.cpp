@@ -22,23 +22,6 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
   return paths;
 }
 
-namespace {
-
-Result<void> for_each_case(const std::vector<std::string>& paths,
-                           const std::function<void(const NamedCase&)>& visit) {
-  for (const std::string& path : paths) {
-    const auto cases = read_checked_cases(path);
-    // Taken away since it was listed; a link to nowhere is still there, and an error.
-    std::error_code ignored;
-    if (!cases && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
-    if (!cases) return tl::unexpected(cases.error());
-    std::ranges::for_each(*cases, visit);
-  }
-  return {};
-}
-
-}  // namespace
-
 Result<std::vector<std::string>> corpus_files(const std::string& path) {
   std::error_code ignored;
   if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return std::vector{path};
@@ -51,17 +34,16 @@ Result<std::vector<std::string>> corpus_files(const std::string& path) {
 
 Result<void> for_each_entry(const std::string& folder,
                             const std::function<void(const NamedCase&)>& visit) {
-  return list_entries(folder).and_then(
-      [&](const std::vector<std::string>& paths) { return for_each_case(paths, visit); });
-}
-
-Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
-  std::vector<NamedCase> entries;
-  return corpus_files(path)
-      .and_then([&](const std::vector<std::string>& files) {
-        return for_each_case(files, [&](const NamedCase& entry) { entries.push_back(entry); });
-      })
-      .map([&] { return std::move(entries); });
+  CCDFUZZ_TRY(const auto paths, list_entries(folder));
+  for (const std::string& path : paths) {
+    const auto cases = read_checked_cases(path);
+    // Taken away since it was listed; a link to nowhere is still there, and an error.
+    std::error_code ignored;
+    if (!cases && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
+    if (!cases) return tl::unexpected(cases.error());
+    std::ranges::for_each(*cases, visit);
+  }
+  return {};
 }
 
 }  // namespace ccdfuzz

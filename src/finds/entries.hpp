@@ -26,10 +26,4 @@ Result<void> for_each_entry(const std::string& folder,
 /// folder without any entry.
 Result<std::vector<std::string>> corpus_files(const std::string& path);
 
-/// All entries of a folder, each with its path as id, ordered by path; or the cases of one file.
-/// Entries that a running hunt removes meanwhile are left out.
-/// Errors: an entry that cannot be read or whose truth is refuted, naming it; a corpus without any
-/// entry.
-Result<std::vector<NamedCase>> load_corpus(const std::string& path);
-
 }  // namespace ccdfuzz

@@ -48,9 +48,9 @@ inline Store::Put put(Store& store, const Case& find) {
 
 inline std::vector<Case> cases_in(const std::string& folder) {
   std::vector<Case> cases;
-  const auto entries = load_corpus(folder);
-  if (!entries) throw std::runtime_error(entries.error().message());
-  for (const NamedCase& entry : *entries) cases.push_back(entry.value);
+  const auto read =
+      for_each_entry(folder, [&](const NamedCase& entry) { cases.push_back(entry.value); });
+  if (!read) throw std::runtime_error(read.error().message());
   return cases;
 }
 

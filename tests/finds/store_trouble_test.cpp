@@ -124,8 +124,8 @@ TEST(StoreInTrouble, KilledAtAnyMomentLeavesWholeEntries) {
     ::waitpid(child, &status, 0);
     for (const int end : added) ::close(end);
     ASSERT_TRUE(WIFSIGNALED(status)) << WEXITSTATUS(status);
-    const auto entries = load_corpus(folder.path());
-    ASSERT_TRUE(entries) << entries.error().message();
+    const auto read = for_each_entry(folder.path(), [](const NamedCase&) {});
+    ASSERT_TRUE(read) << read.error().message();
   }
   Store store = open_store(folder.path());
   std::set<std::string> methods;
@@ -190,7 +190,8 @@ TEST(StoreInTrouble, AReadOnlyFolderIsAnErrorAtOnce) {
                          : 1;
             }),
             0);
-  EXPECT_EQ(as_nobody([&] { return load_corpus(folder.path()) ? 0 : 1; }), 0);
+  EXPECT_EQ(
+      as_nobody([&] { return for_each_entry(folder.path(), [](const NamedCase&) {}) ? 0 : 1; }), 0);
   fs::permissions(folder.path(), fs::perms(0755));
 }
 
