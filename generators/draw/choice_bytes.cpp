@@ -45,7 +45,7 @@ std::string to_word(const ChoiceNumbers& numbers) {
 Result<ChoiceNumbers> parse_choices(const std::string& text) {
   ChoiceNumbers numbers;
   if (text.empty()) return numbers;
-  for (const std::string& word : texts_between_commas(text)) {
+  for (const std::string& word : texts_between(text)) {
     std::uint64_t x = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
     if (error != std::errc() || end != word.data() + word.size()) {

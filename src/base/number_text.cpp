@@ -91,7 +91,7 @@ Result<double> parse_seconds(const std::string& where, const std::string& text) 
 
 Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
   std::vector<double> numbers;
-  for (const std::string& one : texts_between_commas(text)) {
+  for (const std::string& one : texts_between(text)) {
     CCDFUZZ_TRY(const double number, parse_number(where, one));
     numbers.push_back(number);
   }

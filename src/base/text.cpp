@@ -128,10 +128,10 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return nearest == nullptr ? "" : fmt::format("; did you mean {}?", *nearest);
 }
 
-std::vector<std::string> texts_between_commas(const std::string& text) {
+std::vector<std::string> texts_between(const std::string& text, char mark) {
   std::vector<std::string> texts;
   for (size_t begin = 0; begin <= text.size();) {
-    const size_t end = std::min(text.find(',', begin), text.size());
+    const size_t end = std::min(text.find(mark, begin), text.size());
     texts.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }

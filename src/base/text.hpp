@@ -25,8 +25,8 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t colum
 /// of its letters are put in, left out or changed. Empty if none is so near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
-/// The parts of a text between its commas; for an empty text one empty part.
-std::vector<std::string> texts_between_commas(const std::string& text);
+/// The parts of a text between its commas, or other marks; for an empty text one empty part.
+std::vector<std::string> texts_between(const std::string& text, char mark = ',');
 
 /// The text as one word of a shell's command line.
 std::string shell_word(const std::string& text);

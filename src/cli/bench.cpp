@@ -33,7 +33,7 @@ struct BenchOptions {
 
 Result<std::vector<ContactClass>> parse_classes(const std::string& where, const std::string& list) {
   std::vector<ContactClass> classes;
-  for (const std::string& text : texts_between_commas(list)) {
+  for (const std::string& text : texts_between(list)) {
     CCDFUZZ_TRY(const auto one, parse_choice<ContactClass>(where, text));
     if (std::ranges::find(classes, one) != classes.end()) {
       return input_error(where, fmt::format("{} stands there twice", name_of(one)));

@@ -72,10 +72,10 @@ void refuse_unasked_plugins(const CLI::App& command) {
   if (plugins == nullptr || methods == nullptr || files_name_methods) return;
   std::set<std::string> asked;
   for (const std::string& list : methods->results()) {
-    for (const std::string& spec : texts_between_commas(list)) asked.insert(spec);
+    for (const std::string& spec : texts_between(list)) asked.insert(spec);
   }
   for (const std::string& list : plugins->results()) {
-    for (const std::string& item : texts_between_commas(list)) {
+    for (const std::string& item : texts_between(list)) {
       const std::string name = kPluginPrefix + item.substr(0, item.find('='));
       if (asked.contains(name)) continue;
       throw BadInput{{"--plugin", fmt::format("{} is not asked, as {} does not name it", name,
@@ -212,7 +212,7 @@ Option Command::plugin_names() {
                   "between",
                   "",
                   [](const std::string& where, const std::string& text) -> Result<void> {
-                    for (const std::string& item : texts_between_commas(text)) {
+                    for (const std::string& item : texts_between(text)) {
                       const size_t equals = item.find('=');
                       if (equals == std::string::npos) {
                         return input_error(

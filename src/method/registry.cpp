@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <tuple>
 
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
@@ -72,38 +73,51 @@ struct SwitchedSpec {
   std::string spec;                   ///< "tdibm-h:1e-12"
   std::vector<std::string> switches;  ///< "absolute", "unit-axes"
 
-  explicit SwitchedSpec(const std::string& text) : spec(text.substr(0, text.find('@'))) {
-    for (size_t at = spec.size(); at < text.size();) {
-      const size_t end = std::min(text.find('@', at + 1), text.size());
-      switches.push_back(text.substr(at + 1, end - at - 1));
-      at = end;
-    }
+  explicit SwitchedSpec(const std::string& text) : switches(texts_between(text, '@')) {
+    spec = switches.front();
+    switches.erase(switches.begin());
   }
   bool has(std::string_view name) const {
     return std::ranges::find(switches, name) != switches.end();
   }
 };
 
-using MadeMethod = Result<std::unique_ptr<Method>>;
-using MadeTracer = Result<std::unique_ptr<Tracer>>;
-
 struct Family {
   MethodInfo info;
-  std::function<MadeMethod(const SwitchedSpec&)> make;
-  std::function<MadeTracer(const SwitchedSpec&)> make_tracer;
+  std::function<Result<std::unique_ptr<Method>>(const SwitchedSpec&)> make;
+  std::function<Result<std::unique_ptr<Tracer>>(const SwitchedSpec&)> make_tracer;
 };
 
-/// Solver answers, Follower traces; both are made of the same arguments.
-template <class Solver, class Follower, class... Args>
-Family family(MethodInfo info, Args... args) {
+/// An object of the class Made around what the parts of a spec, a Result of a tuple, make.
+template <class Base, class Made>
+Result<std::unique_ptr<Base>> made_of(const Features& features, const auto& parts) {
+  return parts.map([&](const auto& all) {
+    return std::apply(
+        [&](const auto&... each) -> std::unique_ptr<Base> {
+          return std::make_unique<Made>(features, each...);
+        },
+        all);
+  });
+}
+
+/// Solver answers, and Plain where a spec says so; Follower traces. All are made of parts_of(spec).
+template <class Solver, class Follower, class Plain = Solver, class PartsOf>
+Family family(MethodInfo info, const PartsOf& parts_of) {
   const Features features = info.features;
   return {std::move(info),
-          [features, args...](const SwitchedSpec&) -> MadeMethod {
-            return std::make_unique<BuiltIn<Solver>>(features, args...);
+          [=](const SwitchedSpec& spec) {
+            const auto parts = parts_of(spec);
+            return spec.has("unoptimised") ? made_of<Method, BuiltIn<Plain>>(features, parts)
+                                           : made_of<Method, BuiltIn<Solver>>(features, parts);
           },
-          [features, args...](const SwitchedSpec&) -> MadeTracer {
-            return std::make_unique<BuiltInTracer<Follower>>(features, args...);
+          [=](const SwitchedSpec& spec) {
+            return made_of<Tracer, BuiltInTracer<Follower>>(features, parts_of(spec));
           }};
+}
+
+/// The parts of a method that has no options.
+Result<std::tuple<>> no_parts(const SwitchedSpec&) {
+  return {};
 }
 
 constexpr std::array kSwitches = {
@@ -149,25 +163,12 @@ Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
 /// A family of TdibmInclusion. policy_of: of a spec.
 template <class Policy>
 Family tdibm_family(MethodInfo info, Result<Policy> (*policy_of)(const SwitchedSpec&)) {
-  const Features features = info.features;
-  return {std::move(info),
-          [features, policy_of](const SwitchedSpec& spec) {
-            return policy_of(spec).and_then([&](const Policy& policy) -> MadeMethod {
-              const Reading reading = reading_of(spec, Policy::kReading);
-              if (spec.has("unoptimised")) {
-                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(features, policy,
-                                                                           reading);
-              }
-              return std::make_unique<BuiltIn<Tdibm<Policy>>>(features, policy, reading);
-            });
-          },
-          [features, policy_of](const SwitchedSpec& spec) {
-            return policy_of(spec).and_then([&](const Policy& policy) -> MadeTracer {
-              using Follower = InclusionTracer<TdibmInclusion<Policy>>;
-              return std::make_unique<BuiltInTracer<Follower>>(features, policy,
-                                                               reading_of(spec, Policy::kReading));
-            });
-          }};
+  return family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>, UnoptimisedTdibm<Policy>>(
+      std::move(info), [policy_of](const SwitchedSpec& spec) {
+        return policy_of(spec).map([&](const Policy& policy) {
+          return std::tuple(policy, reading_of(spec, Policy::kReading));
+        });
+      });
 }
 
 template <class Bound>
@@ -178,18 +179,11 @@ Result<Bound> error_bound_of(const SwitchedSpec& spec) {
 }
 
 Family traditional_family(MethodInfo info, BoxKind kind) {
-  const auto axes_of = [](const SwitchedSpec& spec) {
-    return reading_of(spec, {kTraditionalAsReleased}).axes;
-  };
-  const Features features = info.features;
-  return {std::move(info),
-          [=](const SwitchedSpec& spec) -> MadeMethod {
-            return std::make_unique<BuiltIn<Traditional>>(features, kind, axes_of(spec));
-          },
-          [=](const SwitchedSpec& spec) -> MadeTracer {
-            using Follower = InclusionTracer<TraditionalInclusion>;
-            return std::make_unique<BuiltInTracer<Follower>>(features, kind, axes_of(spec));
-          }};
+  return family<Traditional, InclusionTracer<TraditionalInclusion>>(
+      std::move(info), [kind](const SwitchedSpec& spec) {
+        return Result<std::tuple<BoxKind, AxisReading>>(
+            std::tuple(kind, reading_of(spec, {kTraditionalAsReleased}).axes));
+      });
 }
 
 const std::vector<Family>& families() {
@@ -239,13 +233,15 @@ const std::vector<Family>& families() {
            "tdibm decided in exact arithmetic, rounded only outward",
            true,
            {},
-           kPatchFeatures}),
+           kPatchFeatures},
+          no_parts),
       family<TdibmC, CertifiedTracer>({"tdibm-c",
                                        "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window",
                                        true,
                                        {},
-                                       kPatchFeatures}),
+                                       kPatchFeatures},
+                                      no_parts),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
           {"oracle",
@@ -253,15 +249,10 @@ const std::vector<Family>& families() {
            "ours: says nothing that an independent checker has not proven; slower",
            true,
            {},
-           kAllFeatures}),
+           kAllFeatures},
+          no_parts),
   };
   return all;
-}
-
-std::vector<std::string> known_specs() {
-  std::vector<std::string> specs;
-  for (const Family& f : families()) specs.push_back(f.info.spec);
-  return specs;
 }
 
 struct Found {
@@ -278,7 +269,8 @@ Result<Found> find_family(const std::string& text) {
     if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
   }
   if (found.family == nullptr) {
-    const std::vector<std::string> specs = known_specs();
+    std::vector<std::string> specs;
+    for (const Family& f : families()) specs.push_back(f.info.spec);
     std::error_code none;
     const std::string meant = std::filesystem::is_regular_file(text, none)
                                   ? fmt::format("; did you mean {}{}?", kPluginPrefix, text)
@@ -362,7 +354,7 @@ Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {
   std::vector<std::string> specs;
-  for (const std::string& spec : texts_between_commas(list)) {
+  for (const std::string& spec : texts_between(list)) {
     CCDFUZZ_TRY_VOID(admit_plugin(spec));
     CCDFUZZ_TRY_VOID(make_method(spec));
     if (std::ranges::find(specs, spec) != specs.end()) {
