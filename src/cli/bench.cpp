@@ -25,9 +25,8 @@ struct BenchOptions {
   bool linear = false;
   std::vector<std::string> methods{"tdibm-c",       "trad",    "tdibm",
                                    "tdibm-h:1e-12", "tdibm-e", "tdibm-rational"};
-  Construction construction = Construction::kPaper;
+  GeneratorOptions generator;  ///< but class and kind
   std::uint64_t count = 10;
-  std::uint64_t seed = 1;
   SearchFlags search;
 };
 
@@ -71,15 +70,13 @@ template <class OnQuery>
 void for_each_query(const BenchOptions& options, ContactClass contact, const OnQuery& on_query) {
   for (std::uint64_t i = 0; i < options.count; ++i) {
     for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-      GeneratorOptions generator;
+      GeneratorOptions generator = options.generator;
       generator.contact = contact;
       generator.kind = kind;
-      generator.construction = options.construction;
       if (options.linear) {
         generator.construction = Construction::kOneSided;
         generator.shapes = linear_shapes(contact);
       }
-      generator.seed = options.seed;
       if (!on_query(generate(generator, i).value.query)) return;
     }
   }
@@ -197,12 +194,13 @@ void add_bench(CommandLine& line) {
                   "bench --linear --methods tdibm-c,plugin:./libmine.so");
   command.whole("--count", options->count,
                 "Cases of each class: one with and one without a contact for each", 1);
-  command.whole("--seed", options->seed, "Seed of the cases");
+  options->generator.seed = 1;
+  command.whole("--seed", options->generator.seed, "Seed of the cases");
   command.parsed("--classes LIST", options->classes,
                  "Contact classes, separated by commas; with --linear by default VF,EE,VE,VV",
                  &parse_classes, "FF,EF,EE,VF,VE,VV");
   const Option construction = command.choice(
-      "--construction HOW", options->construction,
+      "--construction HOW", options->generator.construction,
       "Of quadratic triangles. paper: as the paper makes them. one-sided: each patch on its own "
       "side of a plane");
   command

@@ -15,7 +15,6 @@
 #include "generators/draw/choice_bytes.hpp"
 #include "io/output_file.hpp"
 #include "numeric/effort.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -24,10 +23,10 @@ namespace {
 const std::string kFolder = claims_in("finds");
 
 struct CheckArguments {
-  std::vector<Property> known;
   std::vector<std::string> names;
   CheckedInputs inputs;
-  std::optional<std::string> choices, save;
+  std::optional<std::string> choices;
+  std::string save;
 };
 
 /// The result of one property: a row of the table and of the JSON output.
@@ -84,15 +83,14 @@ Table check_table(const std::vector<Property>& properties) {
 
 std::vector<TableCell> cells_of(const CheckedProperty& checked) {
   const CheckTally& tally = checked.tally;
-  const TableCell note = tally.all_discarded()   ? TableCell{"nothing checked", Emphasis::kBad}
+  const TableCell note = tally.all_discarded()   ? TableCell{"nothing checked", true}
                          : checked.not_refuted() ? TableCell{"not refuted"}
                          : checked.known_false() ? TableCell{"expected failure"}
                                                  : TableCell{""};
-  return {
-      {std::string(checked.property.name)},
-      {fmt::format("{}", tally.checked - tally.discarded)},
-      {fmt::format("{}", tally.failed), checked.is_finding() ? Emphasis::kBad : Emphasis::kPlain},
-      note};
+  return {{std::string(checked.property.name)},
+          {fmt::format("{}", tally.checked - tally.discarded)},
+          {fmt::format("{}", tally.failed), checked.is_finding()},
+          note};
 }
 
 /// The result of a check, in lines of a terminal's width; --json has the rest.
@@ -106,34 +104,25 @@ std::string shown_failure(const std::string& text) {
   return shown;
 }
 
-/// Prints a find as it was found, and where that is saved.
-void print_found(const CheckedProperty& checked) {
-  print_out(fmt::format(
-      "\n{}as found: {}\n",
-      shown_failure(fmt::format("{} fails: {}", checked.property.name, checked.find->found)),
-      checked.find->as_found));
-  if (!checked.not_saved.empty()) print_out(fmt::format("not saved: {}\n", checked.not_saved));
-  if (!checked.saved.empty()) print_out(fmt::format("saved as found: {}\n", checked.saved));
-  print_out("\n");
+/// What shrinking made of a find.
+std::string shrunk_text(const CheckedProperty& checked) {
+  const ClaimFind& find = *checked.find;
+  if (find.shrunk == Shrunk::kNot) {
+    return checked.fails_again
+               ? "not shrunk: its draw hangs each time, which its choices alone do not show\n"
+               : "not shrunk: the same input does not fail each time that it is run\n";
+  }
+  const char* state = find.is_complete() ? "" : " (not to the end)";
+  return shown_failure(fmt::format("shrunk{}: {}", state, find.text)) +
+         fmt::format("reproduce: {}\n", find.reproduce());
 }
 
-/// Prints what shrinking made of the find, and where that is saved.
-void print_shrunk(const CheckedProperty& checked) {
-  const ClaimFind& find = *checked.find;
-  std::string text =
-      checked.fails_again
-          ? "\nnot shrunk: its draw hangs each time, which its choices alone do not show\n"
-          : "\nnot shrunk: the same input does not fail each time that it is run\n";
-  if (find.shrunk != Shrunk::kNot) {
-    text =
-        fmt::format("\n{}reproduce: {}\n",
-                    shown_failure(fmt::format(
-                        "shrunk{}: {}", find.is_complete() ? "" : " (not to the end)", find.text)),
-                    find.reproduce());
-  }
-  if (!checked.not_saved.empty()) text += fmt::format("not saved: {}\n", checked.not_saved);
-  if (!checked.saved.empty()) text += fmt::format("saved: {}\n", checked.saved);
-  print_out(text + "\n");
+/// Prints that, or a find as it was found, and where it is saved.
+void print_find(const CheckedProperty& checked, const std::string& text, const char* saved) {
+  print_out("\n" + text);
+  if (!checked.not_saved.empty()) print_out(fmt::format("not saved: {}\n", checked.not_saved));
+  if (!checked.saved.empty()) print_out(fmt::format("{}: {}\n", saved, checked.saved));
+  print_out("\n");
 }
 
 /// Runs one property on its inputs. A failure is printed and saved at once, and again after it was
@@ -152,13 +141,13 @@ class PropertyCheck {
     progress_.clear();
     if (!session_.json && is_shown()) {
       table.add_row(cells_of(checked_));
-      print_last_rows(table);
+      print_rows(table);
     }
     if (checked_.find) {
       need(flush_stdout());
       shrink();
       progress_.clear();
-      if (!session_.json) print_shrunk(checked_);
+      if (!session_.json) print_find(checked_, shrunk_text(checked_), "saved");
     }
     if (session_.json) print_row(checked_);
     need(flush_stdout());
@@ -179,7 +168,11 @@ class PropertyCheck {
     save();
     if (session_.json) return;
     progress_.clear();
-    print_found(checked_);
+    const ClaimFind& find = *checked_.find;
+    print_find(checked_,
+               shown_failure(fmt::format("{} fails: {}", find.property, find.found)) +
+                   fmt::format("as found: {}\n", find.as_found),
+               "saved as found");
     need(flush_stdout());
   }
 
@@ -208,7 +201,8 @@ class PropertyCheck {
   /// Unless a better find of the same failure is there.
   void save() {
     if (checked_.known_false()) return;
-    const Result<SavedFind> saved = save_find(options_.save.value_or(kFolder), *checked_.find);
+    const Result<SavedFind> saved =
+        save_find(options_.save.empty() ? kFolder : options_.save, *checked_.find);
     if (saved) checked_.saved = saved->path;
     checked_.not_saved = saved ? "" : saved.error().message();
   }
@@ -221,11 +215,12 @@ class PropertyCheck {
 };
 
 /// Each once, in the order in which they are named.
-std::vector<Property> chosen_properties(const CheckArguments& options) {
-  if (options.names.empty()) return options.known;
+std::vector<Property> chosen_properties(const CheckArguments& options,
+                                        const std::vector<Property>& known) {
+  if (options.names.empty()) return known;
   std::vector<Property> chosen;
   for (const std::string& name : options.names) {
-    const Property found = need(property_named(name, options.known));
+    const Property found = need(property_named(name, known));
     const auto is_it = [&](const Property& property) { return property.name == found.name; };
     if (std::ranges::none_of(chosen, is_it)) chosen.push_back(found);
   }
@@ -242,7 +237,7 @@ ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumb
 /// One input of one property, as a find prints it.
 int check_choices(const CheckArguments& options, Session& session) {
   if (options.names.size() != 1) throw BadInput{{"--choices", "needs the name of one property"}};
-  const Property property = need(property_named(options.names[0], options.known));
+  const Property property = need(property_named(options.names[0], session.properties));
   const Result<ChoiceNumbers> numbers = parse_choices(*options.choices);
   if (!numbers) throw BadInput{{"--choices", numbers.error().message()}};
   Draw choices = Draw::from_numbers(*numbers);
@@ -258,8 +253,8 @@ int check_choices(const CheckArguments& options, Session& session) {
   session.say(row, fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
                                fails && known_false ? " as expected" : "",
                                check.text.empty() ? "" : ": ", check.text));
-  if (fails && options.save) {
-    const SavedFind saved = need(save_find(*options.save, find_of(property, check, *numbers)));
+  if (fails && !options.save.empty()) {
+    const SavedFind saved = need(save_find(options.save, find_of(property, check, *numbers)));
     if (!session.json) print_out(fmt::format("saved: {}\n", saved.path));
   }
   if (check.status == Check::Status::kDiscarded) {
@@ -284,11 +279,10 @@ CheckedInputs chosen_inputs(CheckedInputs inputs, size_t properties, int threads
 
 int run_check(const CheckArguments& options, Session& session) {
   if (options.choices) return check_choices(options, session);
-  const std::vector<Property> chosen = chosen_properties(options);
+  const std::vector<Property> chosen = chosen_properties(options, session.properties);
   const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
-  if (options.save) {
-    if (options.save->empty()) throw BadInput{{"--save", "\"\" is not a folder"}};
-    const Result<void> made = make_writable_folder(*options.save);
+  if (!options.save.empty()) {
+    const Result<void> made = make_writable_folder(options.save);
     if (!made) throw BadInput{{"--save", made.error().message()}};
   }
   Table table = check_table(chosen);
@@ -331,11 +325,10 @@ int run_check(const CheckArguments& options, Session& session) {
 
 }  // namespace
 
-void add_check(CommandLine& line, const std::vector<Property>& known) {
+void add_check(CommandLine& line) {
   auto [command, options] =
       line.add<CheckArguments>("check", "Test properties on random inputs", run_check);
   command.example("all properties for a minute", "check --seconds 60");
-  options->known = known;
   command.texts("property", options->names, "Names of properties; by default all");
   command.group("Inputs");
   const Option count =

@@ -92,6 +92,21 @@ void occupy_standard_descriptors() {
   }
 }
 
+/// The options of a command that decide its result, with their values. Neither where that goes nor
+/// how much work it may take does.
+std::map<std::string, std::string> asked_of(const CLI::App& command) {
+  std::map<std::string, std::string> asked;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string group = option->get_group(), name = option->get_name();
+    if (option->get_positional() || group == "Results" || group == "Other") continue;
+    const std::string text = option->count() > 0
+                                 ? fmt::format("{}", fmt::join(option->results(), ","))
+                                 : option->get_default_str();
+    if (!text.empty() && name != "--max-work") asked[name] = text;
+  }
+  return asked;
+}
+
 /// "-o,--output FILE" in its two parts.
 struct Named {
   explicit Named(const std::string& text)
@@ -157,11 +172,10 @@ void Command::example(const std::string& what, const std::string& line) {
 }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& description) {
-  const Named named(name);
-  return Option(app_->add_option(named.name, value, description)
-                    ->check(not_empty())
-                    ->type_name(named.value)
-                    ->capture_default_str());
+  return parsed<std::string, std::string>(
+      name, value, description,
+      [](const std::string&, const std::string& text) -> Result<std::string> { return text; },
+      value);
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value,
@@ -263,10 +277,12 @@ Option Command::json(const std::string& description) {
   return flag("--json", session_->json, description).in("Results");
 }
 
-CommandLine::CommandLine()
+CommandLine::CommandLine(const std::vector<Property>& properties, FindSuite find_suite)
     : app_(std::make_unique<CLI::App>(
           "Fuzzing and property testing for continuous collision detection", kProgram)),
       session_(std::make_unique<Session>()) {
+  session_->properties = properties;
+  session_->find_suite = std::move(find_suite);
   app_->formatter(help_formatter());
   app_->set_help_flag("-h,--help", "Show this help");
   app_->set_version_flag("-V,--version", CCDFUZZ_VERSION, "Show the version");
@@ -343,6 +359,7 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     print_err(app_->help());
     return complain("no command given", kBadInput);
   }
+  session_->asked = asked_of(*app_->get_subcommands().front());
   int code = kDone;
   std::optional<InputError> error;
   try {

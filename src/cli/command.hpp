@@ -27,6 +27,7 @@ namespace ccdfuzz {
 class Session;
 struct Suite;
 struct Property;
+using FindSuite = std::function<Result<Suite>(std::string_view)>;
 
 /// The exit codes of every command. A command that was interrupted ends with 128 + the signal.
 enum ExitCode : int {
@@ -144,7 +145,8 @@ class Command {
 /// The commands of this program.
 class CommandLine {
  public:
-  CommandLine();
+  /// All the properties that there are. find_suite: finds the suite that `triage --target` names.
+  CommandLine(const std::vector<Property>& properties, FindSuite find_suite);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
@@ -177,25 +179,22 @@ class CommandLine {
 };
 
 void add_bench(CommandLine& line);
-/// known: all the properties that there are.
-void add_check(CommandLine& line, const std::vector<Property>& known);
+void add_check(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_export(CommandLine& line);
 void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_import(CommandLine& line);
-void add_merge(CommandLine& line, const std::vector<Property>& known);
+void add_merge(CommandLine& line);
 void add_methods(CommandLine& line);
 void add_minimize(CommandLine& line);
 void add_properties(CommandLine& line);
 void add_prove(CommandLine& line);
 void add_query(CommandLine& line);
-void add_replay(CommandLine& line, const std::vector<Property>& known);
+void add_replay(CommandLine& line);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
-/// find_suite: finds the suite that --target names.
-using FindSuite = std::function<Result<Suite>(std::string_view)>;
-void add_triage(CommandLine& line, const FindSuite& find_suite);
+void add_triage(CommandLine& line);
 void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

@@ -56,10 +56,10 @@ std::vector<std::string> default_methods() {
           "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
 }
 
-void add_methods(Command& command, std::vector<std::string>& methods,
-                 const std::string& description) {
+Option add_methods(Command& command, std::vector<std::string>& methods,
+                   const std::string& description) {
   command.plugin_names();
-  command
+  return command
       .parsed("--methods LIST", methods, description, &parse_methods,
               fmt::format("{}", fmt::join(methods, ",")))
       .in("Methods");
@@ -83,8 +83,8 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-void SearchFlags::add_precision_to(Command& command) {
-  command
+Option SearchFlags::add_precision_to(Command& command) {
+  return command
       .parsed("--precision WIDTH", precision,
               "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
               "case was found at",
@@ -97,10 +97,13 @@ void SearchFlags::add_to(Command& command) {
   add_budget_to(command);
 }
 
-void SearchFlags::add_with_default_budget_to(Command& command) {
+std::vector<Option> SearchFlags::add_with_default_budget_to(Command& command) {
   max_pops = 0;
-  add_precision_to(command);
-  add_budget_to(command).front().without_default();
+  const Option of_precision = add_precision_to(command);
+  std::vector<Option> all = add_budget_to(command);
+  all.front().without_default();
+  all.push_back(of_precision);
+  return all;
 }
 
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {

@@ -30,9 +30,9 @@ struct SearchFlags {
   double max_seconds = SearchOptions::kNoTimeLimit;
 
   void add_to(Command& command);
-  void add_precision_to(Command& command);
+  Option add_precision_to(Command& command);
   /// The same with a DefaultBudget in place of a limit.
-  void add_with_default_budget_to(Command& command);
+  std::vector<Option> add_with_default_budget_to(Command& command);
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
   SearchOptions options() const;
@@ -47,8 +47,8 @@ using NotAllowed = std::map<std::string, std::uint64_t>;
 std::string to_text(const NotAllowed& left_out);
 
 /// --methods, and --plugin: of these the command asks, in this order.
-void add_methods(Command& command, std::vector<std::string>& methods,
-                 const std::string& description);
+Option add_methods(Command& command, std::vector<std::string>& methods,
+                   const std::string& description);
 
 /// The method as tables show it: " *" follows where it claims to have no false negative.
 std::string marked(const std::string& method);

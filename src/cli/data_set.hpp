@@ -16,10 +16,11 @@ namespace ccdfuzz {
 /// first, so that no case ever names one that is not there.
 class DataSetWriter {
  public:
-  /// Errors: as CaseWriter::open.
+  /// Standard output then takes cases alone (leave_stdout_to). Errors: as CaseWriter::open.
   static Result<DataSetWriter> open(const std::string& path) {
-    return CaseWriter::open(path).map(
-        [&](CaseWriter writer) { return DataSetWriter(std::move(writer), path); });
+    CCDFUZZ_TRY(CaseWriter writer, CaseWriter::open(path));
+    leave_stdout_to(path);
+    return DataSetWriter(std::move(writer), path);
   }
 
   /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is

@@ -23,8 +23,7 @@ namespace {
 
 struct EvaluateArguments {
   std::vector<std::string> files;
-  std::vector<std::string> methods = default_methods();
-  std::vector<double> horizons;
+  EvaluateOptions how;
   SearchFlags search;
   std::string shard;
   std::string folder;
@@ -48,47 +47,21 @@ Result<std::vector<double>> parse_horizons(const std::string& where, const std::
   return factors;
 }
 
-EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
-  EvaluateOptions options;
-  options.threads = threads;
-  options.methods = arguments.methods;
-  options.horizon_factors = arguments.horizons;
-  options.search_for = [flags = arguments.search](const Case& value) {
-    return flags.options_for(value);
-  };
-  return options;
-}
-
 /// Reads the files once, to know which cases they hold. Errors: of reading; a file that cannot be
 /// read twice.
-Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOptions& options,
-                            const std::vector<std::string>& files) {
-  RunHeader header;
-  header.run = "evaluate";
-  header.version = CCDFUZZ_VERSION;
-  header.inputs = files;
+Result<RunHeader> header_of(const std::vector<std::string>& files, const Session& session) {
+  RunHeader header{"evaluate", CCDFUZZ_VERSION, files, session.asked, 0, {}};
   for (const std::string& file : files) {
     CCDFUZZ_TRY_VOID(refuse_irregular(file));
   }
-  std::string address;
+  std::string& address = header.asked["cases"];
   CaseStream cases(files);
   for (;;) {
     CCDFUZZ_TRY(const std::optional<NamedCase> next, cases.next());
-    if (!next) break;
+    if (!next) return header;
     ++header.items;
     address = hash_name(address + to_json(next->value));
   }
-  const SearchOptions search = arguments.search.options();
-  header.asked = {{"cases", address},
-                  {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
-                  {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
-                  {"--precision", arguments.search.precision ? fmt::format("{}", search.precision)
-                                                             : std::string(kOwnPrecision)},
-                  {"--max-pops", fmt::format("{}", search.max_pops)},
-                  {"--max-seconds", search.max_seconds < SearchOptions::kNoTimeLimit
-                                        ? fmt::format("{}", search.max_seconds)
-                                        : "none"}};
-  return header;
 }
 
 void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs,
@@ -122,7 +95,7 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
   }
   print_out(column_notes(methods));
   if (!arguments.by_class) {
-    print_out(mark_note(arguments.methods) +
+    print_out(mark_note(arguments.how.methods) +
               "By class, and beside the paper's tables: --by-class\n");
   }
   std::uint64_t contacts = 0, absences = 0, queries = 0;
@@ -149,12 +122,14 @@ void write_evaluation_page(ReportRows& shown, const Rows& rows,
 }
 
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
-  EvaluateOptions options = options_of(arguments, session.threads);
+  EvaluateOptions options = arguments.how;
+  options.threads = session.threads;
+  options.search_for = [&](const Case& value) { return arguments.search.options_for(value); };
   const std::vector<std::string> files = need(case_files(arguments.files));
   std::optional<ResumedRun> kept;
   const std::string answers = answers_path(arguments.folder);
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
-    RunHeader header = need(header_of(arguments, options, files));
+    RunHeader header = need(header_of(files, session));
     options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
     header.shard = options.shard;
     if (!arguments.folder.empty()) {
@@ -170,14 +145,13 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   std::uint64_t done = 0, asked = 0;
   need(evaluate(
       files, options, kept ? &kept->earlier : nullptr,
-      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
-          double share) -> Result<void> {
+      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
         counts.add(named.value);
         rows.add(evaluated);
         const double precision = options.search_for(named.value).precision;
         if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
         ++done;
-        session.progress().show(share, evaluated.contact, asked += is_new ? 1 : 0, "cases");
+        session.progress().show(named.share, evaluated.contact, asked += is_new ? 1 : 0, "cases");
         return kept && is_new ? kept->file.append(to_json(evaluated)) : Result<void>();
       },
       [&] { return session.interrupted(); }));
@@ -216,8 +190,9 @@ void add_evaluate(CommandLine& line) {
              "Case files: .json, .jsonl, .jsonl.zst, .csv (judged by their exact truth where they "
              "are linear), or folders of .csv")
       .required();
-  add_methods(command, options->methods, "Methods to run, separated by commas");
-  command.parsed("--t-max-factors LIST", options->horizons,
+  options->how.methods = default_methods();
+  add_methods(command, options->how.methods, "Methods to run, separated by commas");
+  command.parsed("--t-max-factors LIST", options->how.horizon_factors,
                  "Ask positive cases up to these multiples of the contact's time instead of their "
                  "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
                  &parse_horizons);

@@ -41,7 +41,8 @@ struct ExportOptions {
   bool round = false;
 };
 
-int export_tests(const ExportOptions& options, TestFramework framework, OutputFile& out) {
+std::string export_tests(const ExportOptions& options, TestFramework framework) {
+  OutputFile out = need(OutputFile::create(options.output));
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
@@ -50,8 +51,7 @@ int export_tests(const ExportOptions& options, TestFramework framework, OutputFi
     });
   }));
   need(out.commit());
-  print_out(counted(count, "test", "tests") + "\n");
-  return kDone;
+  return counted(count, "test", "tests");
 }
 
 /// The rows of a case with their label: for linear queries decided from the very numbers written.
@@ -76,20 +76,19 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
   return rows;
 }
 
-int export_csv(const ExportOptions& options, OutputFile& out) {
+std::string export_csv(const ExportOptions& options) {
+  OutputFile out = need(OutputFile::create(options.output));
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
-    if (named.value.query.separation > 0) {
-      return input_error(named.id, "has a separation, for which a query CSV has no place");
+    const Query& query = named.value.query;
+    for (const auto& [has_it, what] :
+         {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
+          std::pair(is_trimmed(query), "a trim")}) {
+      if (!has_it) continue;
+      return input_error(named.id, fmt::format("has {}, for which a query CSV has no place", what));
     }
-    if (is_rational(named.value.query)) {
-      return input_error(named.id, "has weights, for which a query CSV has no place");
-    }
-    if (is_trimmed(named.value.query)) {
-      return input_error(named.id, "has a trim, for which a query CSV has no place");
-    }
-    const auto own = csv_layout_of(named.value.query);
+    const auto own = csv_layout_of(query);
     if (!own) {
       return input_error(named.id,
                          "is neither edge-edge nor vertex-face of degree 1 nor two triangles of "
@@ -108,8 +107,7 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   need(out.commit());
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
-  print_out(summary + "\n");
-  return kDone;
+  return summary;
 }
 
 /// The test of a case in a folder: of a.json a.cpp, and of line 3 of a.jsonl a-3.cpp.
@@ -121,7 +119,7 @@ std::string test_path(const std::string& folder, const NamedCase& named, std::st
                      has_line ? "-" + named.id.substr(colon + 1) : "", ending);
 }
 
-int export_engine_tests(const ExportOptions& options, const EngineTemplate& engine) {
+std::string export_engine_tests(const ExportOptions& options, const EngineTemplate& engine) {
   const bool is_folder = options.output.ends_with('/');
   if (is_folder) need(make_folder(options.output));
   std::set<std::string> paths;
@@ -136,11 +134,10 @@ int export_engine_tests(const ExportOptions& options, const EngineTemplate& engi
       return write_file(path, text);
     });
   }));
-  print_out(counted(paths.size(), "test", "tests") + "\n");
-  return kDone;
+  return counted(paths.size(), "test", "tests");
 }
 
-int run_export(const ExportOptions& options, Session&) {
+int run_export(const ExportOptions& options, Session& session) {
   if (case_file_kind_by_name(options.output)) {
     throw BadInput{
         {"--output",
@@ -151,12 +148,12 @@ int run_export(const ExportOptions& options, Session&) {
     throw BadInput{{"--round", "is for --as csv: tests hold the numbers of their case"}};
   }
   leave_stdout_to(options.output);
-  if (const auto* engine = std::get_if<EngineTemplate>(&options.as)) {
-    return export_engine_tests(options, *engine);
-  }
-  OutputFile out = need(OutputFile::create(options.output));
+  const auto* engine = std::get_if<EngineTemplate>(&options.as);
   const auto* framework = std::get_if<TestFramework>(&options.as);
-  return framework != nullptr ? export_tests(options, *framework, out) : export_csv(options, out);
+  session.summary(engine != nullptr      ? export_engine_tests(options, *engine)
+                  : framework != nullptr ? export_tests(options, *framework)
+                                         : export_csv(options));
+  return kDone;
 }
 
 }  // namespace

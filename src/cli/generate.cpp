@@ -13,6 +13,7 @@
 #include "generators/paper_set.hpp"
 #include "io/cpu_time.hpp"
 #include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 #include "io/run_file.hpp"
 
 namespace ccdfuzz {
@@ -24,10 +25,7 @@ struct GenerateOptions {
   std::optional<CaseKind> kind;
   /// Absent: paper, or one-sided for shapes that paper has not.
   std::optional<Construction> construction;
-  std::optional<std::array<Shape, 2>> shapes;  ///< absent: the family's own
-  Family family = Family::kRegular;
-  std::uint64_t seed = 0;
-  std::optional<int> eps_t_exponent;
+  GeneratorOptions generator;  ///< all but these
   std::uint64_t count = 0;
   std::uint64_t first = 0;
   bool paper = false;
@@ -36,57 +34,54 @@ struct GenerateOptions {
   std::string output;
 
   bool is_to_stdout() const { return output.empty() || output == "-"; }
+  std::string path() const { return is_to_stdout() ? "/dev/stdout" : output; }
 };
 
 /// The constructions to make, one by one.
 struct Plan {
-  RunHeader header;
-  std::function<MadeCases(std::uint64_t)> make;
+  std::uint64_t count;
   const char* unit;  ///< what a construction gives
+  std::function<PaperCases(std::uint64_t)> make;
+  std::function<std::pair<ContactClass, std::string_view>(std::uint64_t)> sort;  ///< class and kind
 };
 
-GenerationCost cost_of(ContactClass contact, std::string_view kind, std::uint64_t cases,
-                       const DiscardCounts& counts, double cpu_seconds) {
-  GenerationCost cost{
-      std::string(name_of(contact)), std::string(kind), cases, counts.attempts, {}, cpu_seconds};
+MadeCases made_of(const Plan& plan, std::uint64_t index) {
+  const double begin = thread_cpu_seconds();
+  PaperCases made = plan.make(index);
+  const auto [contact, kind] = plan.sort(index);
+  GenerationCost cost{std::string(name_of(contact)),
+                      std::string(kind),
+                      made.cases.size(),
+                      made.discards.attempts,
+                      {},
+                      thread_cpu_seconds() - begin};
   for (const Discard reason : kDiscards) {
-    cost.discarded.emplace_back(name_of(reason), counts[reason]);
+    cost.discarded.emplace_back(name_of(reason), made.discards[reason]);
   }
-  return cost;
+  return {index, std::move(made.cases), to_hex_bytes(made.tree), std::move(cost)};
 }
 
 Plan paper_plan(const GenerateOptions& options) {
   auto items = std::make_shared<std::vector<PaperItem>>(paper_items(options.one_in));
-  RunHeader header{"generate", CCDFUZZ_VERSION, {}, {}, items->size(), {}};
-  header.asked = {{"--paper", "yes"},
-                  {"--seed", fmt::format("{}", options.seed)},
-                  {"--one-in", fmt::format("{}", options.one_in)}};
-  return {header,
-          [items, seed = options.seed](std::uint64_t i) {
-            const PaperItem& item = (*items)[i];
-            const double begin = thread_cpu_seconds();
-            PaperCases paper = make_paper_cases(item, seed);
-            const std::string_view kind = item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind);
-            GenerationCost cost = cost_of(item.contact, kind, paper.cases.size(), paper.discards,
-                                          thread_cpu_seconds() - begin);
-            return MadeCases{i, std::move(paper.cases), to_hex_bytes(paper.tree), std::move(cost)};
+  return {items->size(), "constructions",
+          [items, seed = options.generator.seed](std::uint64_t i) {
+            return make_paper_cases((*items)[i], seed);
           },
-          "constructions"};
+          [items](std::uint64_t i) {
+            const CaseKind kind = (*items)[i].kind;
+            return std::pair((*items)[i].contact, kind == CaseKind::kRP ? "RP+RN" : name_of(kind));
+          }};
 }
 
 GeneratorOptions generator_of(const GenerateOptions& options) {
-  GeneratorOptions generator;
+  GeneratorOptions generator = options.generator;
   generator.contact = *options.contact;
   generator.kind = *options.kind;
-  generator.family = options.family;
-  generator.seed = options.seed;
-  generator.shapes = options.shapes;
   constexpr std::array kPaperShapes = {Shape::triangle(2), Shape::triangle(2)};
-  if (options.shapes && *options.shapes != kPaperShapes) {
+  if (generator.shapes && *generator.shapes != kPaperShapes) {
     generator.construction = Construction::kOneSided;
   }
   if (options.construction) generator.construction = *options.construction;
-  generator.eps_t_exponent = options.eps_t_exponent;
   need(validate(generator));
   return generator;
 }
@@ -99,56 +94,16 @@ Plan plain_plan(const GenerateOptions& options) {
   }
   const GeneratorOptions g = generator_of(options);
   need(check_room(options.first, options.count, "cases"));
-  RunHeader header{"generate", CCDFUZZ_VERSION, {}, {}, options.count, {}};
-  const auto shape = [&](size_t side) { return g.shapes ? to_text((*g.shapes)[side]) : "any"; };
-  header.asked = {
-      {"--contact", std::string(name_of(g.contact))},
-      {"--kind", std::string(name_of(g.kind))},
-      {"--construction", std::string(name_of(g.construction))},
-      {"--shape", shape(0) + "," + shape(1)},
-      {"--family", std::string(name_of(g.family))},
-      {"--eps-t", g.eps_t_exponent ? fmt::format("2^{}", *g.eps_t_exponent) : "as by default"},
-      {"--seed", fmt::format("{}", g.seed)},
-      {"--first", fmt::format("{}", options.first)}};
-  return {header,
+  return {options.count, "cases",
           [g, first = options.first](std::uint64_t i) {
-            const double begin = thread_cpu_seconds();
             try {
               Generated made = generate(g, first + i);
-              return MadeCases{i,
-                               {std::move(made.value)},
-                               {},
-                               cost_of(g.contact, name_of(g.kind), 1, made.discards,
-                                       thread_cpu_seconds() - begin)};
+              return PaperCases{{std::move(made.value)}, {}, made.discards};
             } catch (const NothingAccepted& none) {
               throw BadInput{{"--eps-t", none.what()}};
             }
           },
-          "cases"};
-}
-
-/// The same for people who see the cases on stdout, or just a few numbers of one kind.
-std::string summary(const GenerationCost& cost) {
-  std::string text =
-      fmt::format("{} {} {} {}, {} of CPU time each; {} begun", cost.cases, cost.contact, cost.kind,
-                  cost.cases == 1 ? "case" : "cases",
-                  duration_text(cost.cpu_seconds / static_cast<double>(cost.cases)), cost.begun);
-  const char* separator = ", discarded: ";
-  for (const auto& [step, count] : cost.discarded) {
-    text += fmt::format("{}{} {}", separator, step, count_text(count, cost.begun));
-    separator = ", ";
-  }
-  return text + "\n";
-}
-
-void print_costs(const std::vector<GenerationCost>& costs, bool is_paper, bool json) {
-  if (json) {
-    for (const GenerationCost& cost : costs) print_row(cost);
-  } else if (is_paper) {
-    print_table(generation_table(costs));
-  } else {
-    for (const GenerationCost& cost : costs) print_err(summary(cost));
-  }
+          [g](std::uint64_t) { return std::pair(g.contact, name_of(g.kind)); }};
 }
 
 /// Where the constructions go: those of a share into its run file, others into a data set; those of
@@ -161,7 +116,7 @@ struct Target {
 
 Target open_target(const GenerateOptions& options, const RunHeader& header) {
   Target target;
-  if (header.shard.is_whole()) target.set = need(MadeSet::open(options.output));
+  if (header.shard.is_whole()) target.set = need(MadeSet::open(options.path()));
   if (header.shard.is_whole() && !options.paper) return target;
   target.run.emplace(resumed_run(header, options.output, "constructions"));
   auto& [lines, left] = target.run->earlier;
@@ -174,20 +129,14 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
 }
 
 /// Makes the constructions that are left. Returns how many were made.
-std::uint64_t make_all(const Plan& plan, Target& target, Session& session) {
-  const Shard& shard = plan.header.shard;
-  const std::uint64_t total = shard.size(plan.header.items);
+std::uint64_t make_all(const Plan& plan, const Shard& shard, Target& target, Session& session) {
+  const std::uint64_t total = shard.size(plan.count);
   std::atomic<bool> stop = false;
   Result<void> kept;
   std::uint64_t made_count = 0;
   run_in_order<MadeCases>(
       total - target.before, session.threads,
-      [&](size_t i) {
-        const std::uint64_t index = shard.item(target.before + i);
-        MadeCases made = plan.make(index);
-        made.index = index;
-        return made;
-      },
+      [&](size_t i) { return made_of(plan, shard.item(target.before + i)); },
       [&](MadeCases made) {
         if (session.interrupted() || !kept) stop = true;
         if (!kept || (stop && !target.run)) return;
@@ -215,21 +164,22 @@ int run_generate(const GenerateOptions& options, Session& session) {
   if (options.is_to_stdout() && session.json) {
     throw BadInput{{"--json", "stdout takes the cases already; name a file with --output"}};
   }
-  Plan plan = options.paper ? paper_plan(options) : plain_plan(options);
-  plan.header.shard = need(parse_shard(options.shard, plan.header.items, plan.unit));
-  const Shard& shard = plan.header.shard;
+  const Plan plan = options.paper ? paper_plan(options) : plain_plan(options);
+  const Shard shard = need(parse_shard(options.shard, plan.count, plan.unit));
   if (shard.is_whole() && options.paper &&
       need(case_file_kind(options.output)) == CaseFileKind::kJson) {
     throw BadInput{{options.output, "a .json file holds one case; .jsonl holds many"}};
   }
   catch_interrupts();  // from here on a file may be left
-  Target target = open_target(options, plan.header);
-  const std::uint64_t made = target.before + make_all(plan, target, session);
+  Target target =
+      open_target(options, {"generate", CCDFUZZ_VERSION, {}, session.asked, plan.count, shard});
+  const std::uint64_t made = target.before + make_all(plan, shard, target, session);
   if (session.interrupted()) {
     print_err(fmt::format("ccdfuzz: generate: interrupted after {} {}{}\n", made, plan.unit,
-                          target.run               ? "; the same command goes on from there"
-                          : options.is_to_stdout() ? ""
-                                                   : "; " + options.output + " was not written"));
+                          target.run ? "; the same command goes on from there"
+                          : is_stream(options.path())
+                              ? ""
+                              : "; " + options.output + " was not written"));
     return session.exit_code(kDone);
   }
   if (!target.set) {
@@ -240,11 +190,9 @@ int run_generate(const GenerateOptions& options, Session& session) {
   }
   need(target.set->finish());
   if (target.run) need(target.run->file.remove());
-  print_costs(target.set->costs(), options.paper, session.json);
-  if (options.paper) {
-    session.summary(fmt::format("\n{} cases in {}, {} miss trees", target.set->cases(),
-                                options.output, target.set->trees()));
-  }
+  // What plain cases cost is a remark.
+  if (!options.paper && !session.json) leave_stdout_to("/dev/stdout");
+  target.set->show(session);
   return kDone;
 }
 
@@ -264,13 +212,13 @@ void add_generate(CommandLine& line) {
   Option count = command.whole("--count", options->count, "How many cases", 1);
   count.without_default();
   const Option first = command.whole("--first", options->first, "Index of the first case");
-  command.whole("--seed", options->seed, "Seed of the data set");
+  command.whole("--seed", options->generator.seed, "Seed of the data set");
   const Option construction = command.choice(
       "--construction HOW", options->construction,
       "paper: as the paper makes them, the default where --shape allows it. one-sided: each patch "
       "on its own side of a plane");
   const Option shape = command.parsed(
-      "--shape SHAPE", options->shapes,
+      "--shape SHAPE", options->generator.shapes,
       "Shape of both patches, or of each with a comma between: point, curve:N, triangle:N, "
       "tensor:NxM. By default triangle:2 in the first six families, random ones in the others",
       &parse_shapes);
@@ -278,9 +226,9 @@ void add_generate(CommandLine& line) {
   for (const Family f : kAllFamilies) {
     families += fmt::format("\n{}: {}", name_of(f), description_of(f));
   }
-  const Option family = command.choice("--family FAMILY", options->family, families);
+  const Option family = command.choice("--family FAMILY", options->generator.family, families);
   const Option eps_t = command.parsed(
-      "--eps-t 2^-N", options->eps_t_exponent,
+      "--eps-t 2^-N", options->generator.eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
       "2^-10 for NHP and families that graze",
       &parse_power_of_two);

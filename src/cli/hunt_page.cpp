@@ -96,13 +96,13 @@ Column<HuntCell> mean_column() {
 /// How many mutants each method was asked, and how many of them its tests lost, if any is traced.
 void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
                         const std::vector<HuntCell>& cells) {
-  columns.push_back({"mutants", [](const HuntCell& cell) {
+  columns.push_back({{"mutants"}, [](const HuntCell& cell) {
                        return TableCell{fmt::format("{}", cell.bred.mutants)};
                      }});
   if (!any_is_traced(cells)) return;
-  columns.push_back({"lost", [](const HuntCell& cell) {
+  columns.push_back({{"lost"}, [](const HuntCell& cell) {
                        return names_plugin(cell.method)
-                                  ? TableCell{"-", Emphasis::kFaint}
+                                  ? TableCell{"-"}
                                   : count_cell(cell.bred.lost, cell.bred.mutants, true);
                      }});
 }
@@ -138,7 +138,7 @@ Table method_table(const std::vector<HuntCell>& of_classes) {
   const std::vector<HuntCell> cells = by_method(of_classes);
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
-      {"drawn", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
+      {{"drawn"}, [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
   columns.front().most_width = method_column().most_width;
   add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kUndecided}, false);
   add_outcomes(columns, met_in(cells, {Outcome::kError, Outcome::kFalsePositive}), false);

@@ -92,7 +92,6 @@ int run_import(const ImportOptions& options, Session& session) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
   DataSetWriter writer = need(DataSetWriter::open(options.output));
-  leave_stdout_to(options.output);
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
                        {"in the file", Align::kLeft},
@@ -105,7 +104,7 @@ int run_import(const ImportOptions& options, Session& session) {
           session.show(query, std::nullopt, [&]() -> std::vector<TableCell> {
             return {{query.id},
                     {contact_text(query.label)},
-                    {contact_text(query.in_file), Emphasis::kBad},
+                    {contact_text(query.in_file), true},
                     {contact_text(query.collides)}};
           });
         }

@@ -1,18 +1,14 @@
 #include "cli/made_cases.hpp"
 
-#include "base/hex_bytes.hpp"
-#include "cli/output.hpp"
+#include <fmt/format.h>
+
+#include "cli/common_options.hpp"
 
 namespace ccdfuzz {
 
 Result<MadeSet> MadeSet::open(const std::string& path) {
-  MadeSet set;
-  if (path.empty() || path == "-") return set;
-  CCDFUZZ_TRY(DataSetWriter writer, DataSetWriter::open(path));
-  leave_stdout_to(path);
-  set.path_ = path;
-  set.writer_ = std::move(writer);
-  return set;
+  return DataSetWriter::open(path).map(
+      [&](DataSetWriter writer) { return MadeSet(std::move(writer), path); });
 }
 
 Result<void> MadeSet::add(MadeCases made) {
@@ -20,28 +16,31 @@ Result<void> MadeSet::add(MadeCases made) {
   const std::string tree = parse_hex_bytes(made.tree).value();
   for (Case& value : made.cases) {
     ++cases_;
-    Result<void> written;
     if (!tree.empty()) {
       value.truth.clearance = MissTree{exact(value.query.t_max), {}};
       value.truth.proof = proof_word(*value.truth.clearance);
       ++trees_;
     }
-    if (writer_) {
-      written = writer_->write(std::move(value), tree);
-    } else {
-      print_out(to_json(value) + "\n");
-      written = check_stdout();
-    }
-    if (!written) return written;
+    CCDFUZZ_TRY_VOID(writer_.write(std::move(value), tree));
   }
   return {};
 }
 
 Result<void> MadeSet::finish() {
-  if (!writer_) return flush_stdout();
-  return writer_->complete().and_then([&] { return write_costs(path_, costs_); }).and_then([&] {
-    return writer_->finish();
+  return writer_.complete().and_then([&] { return write_costs(path_, costs_); }).and_then([&] {
+    return writer_.finish();
   });
+}
+
+void MadeSet::show(Session& session, const std::string& of) const {
+  if (session.json) {
+    for (const GenerationCost& cost : costs_) print_row(cost);
+    return;
+  }
+  print_table(generation_table(costs_));
+  const std::string trees = trees_ == 0 ? "" : ", " + counted(trees_, "miss tree", "miss trees");
+  session.summary(
+      fmt::format("\n{}{} in {}{}", counted(cases_, "case", "cases"), of, path_, trees));
 }
 
 }  // namespace ccdfuzz

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/hex_bytes.hpp"
 #include "cli/data_set.hpp"
+#include "cli/session.hpp"
 #include "eval/generation_cost.hpp"
 #include "files/case_json.hpp"
-#include "io/fields.hpp"
 
 namespace ccdfuzz {
 
@@ -29,24 +28,24 @@ struct MadeCases {
   }
 };
 
-/// Made cases on their way to where they belong: a data set and beside it what it cost; or stdout,
-/// which takes the cases alone.
+/// Made cases on their way into a data set, beside which is what they cost.
 class MadeSet {
  public:
-  /// path: "" or "-" is stdout. Errors: as CaseWriter::open.
+  /// Errors: as DataSetWriter::open.
   static Result<MadeSet> open(const std::string& path);
 
   Result<void> add(MadeCases made);
   /// Must come last; until then none of the files is there.
   Result<void> finish();
-
-  const std::vector<GenerationCost>& costs() const { return costs_; }
-  std::uint64_t cases() const { return cases_; }
-  std::uint64_t trees() const { return trees_; }
+  /// Shows what the cases cost, and then how many there are. of: behind that number.
+  void show(Session& session, const std::string& of = "") const;
 
  private:
+  MadeSet(DataSetWriter writer, std::string path)
+      : path_(std::move(path)), writer_(std::move(writer)) {}
+
   std::string path_;
-  std::optional<DataSetWriter> writer_;  ///< none: stdout
+  DataSetWriter writer_;
   std::vector<GenerationCost> costs_;
   std::uint64_t cases_ = 0, trees_ = 0;
 };

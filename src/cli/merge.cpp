@@ -17,7 +17,6 @@
 #include "io/run_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -26,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 struct MergeOptions {
-  std::vector<Property> known;
   std::vector<std::string> inputs;
   std::string output;
 };
@@ -51,13 +49,7 @@ int merge_made(const MergeOptions& options, Session& session) {
   for_each_record<MadeCases>(
       run, [&](std::string_view, MadeCases made) { need(set.add(std::move(made))); });
   need(set.finish());
-  if (session.json) {
-    for (const GenerationCost& cost : set.costs()) print_row(cost);
-  } else {
-    print_table(generation_table(set.costs()));
-  }
-  session.summary(fmt::format("\n{} cases of {} files in {}", set.cases(), options.inputs.size(),
-                              options.output));
+  set.show(session, fmt::format(" of {} files", options.inputs.size()));
   return kDone;
 }
 
@@ -143,48 +135,41 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
   return merged;
 }
 
-/// The counts of a merge of corpora.
-struct MergedCorpora {
-  std::uint64_t entries = 0, taken = 0, now = 0;
-  Intake::Settled settled = {};
-  MergedClaims claims = {};
-
-  static void fields(auto& archive, auto& merged) {
-    archive("entries", merged.entries);
-    archive("taken_over", merged.taken);
-    archive("now", merged.now);
-    archive("asked_again", merged.settled.asked);
-    archive.optional("not_asked", merged.settled.kept);
-    archive.optional("claims", merged.claims.entries);
-    archive.optional("claims_taken_over", merged.claims.taken);
-    archive.optional("claims_now", merged.claims.now);
-    archive.optional("claims_without_input", merged.claims.without_input);
-  }
-};
-
 int merge_corpora(const MergeOptions& options, Session& session) {
-  const auto& [known, inputs, output] = options;
+  const auto& [inputs, output] = options;
   Store store = need(Store::open(output));
   Intake intake(
       store, [] { return Asker({}); },
       [] { return Asker({.max_seconds = kLongestQuerySeconds}, MethodSet(make_served_method)); });
-  MergedCorpora merged;
+  std::uint64_t entries = 0, taken = 0;
   for (const std::string& input : inputs) {
     if (is_claims_folder(input)) continue;
     need(for_each_entry(input, [&](const NamedCase& entry) {
-      ++merged.entries;
-      if (need(intake.take(entry)) != Store::Put::kKnown) ++merged.taken;
+      ++entries;
+      if (need(intake.take(entry)) != Store::Put::kKnown) ++taken;
     }));
   }
-  merged.taken += need(intake.take_doubtful());
-  merged.now = need(list_entries(output)).size();
-  merged.settled = intake.settled();
-  merged.claims = merge_claims(inputs, output, known);
-  if (session.json) print_row(merged);
-  session.summary(fmt::format(
-      "{} of {}, {} taken over, {} now in {}", counted(merged.entries, "entry", "entries"),
-      counted(inputs.size(), "corpus", "corpora"), merged.taken, merged.now, output));
-  if (const MergedClaims& claims = merged.claims; claims.entries > 0) {
+  taken += need(intake.take_doubtful());
+  const std::uint64_t now = need(list_entries(output)).size();
+  const Intake::Settled& settled = intake.settled();
+  const MergedClaims claims = merge_claims(inputs, output, session.properties);
+  if (session.json) {
+    print_row([&](auto& row) {
+      row("entries", entries);
+      row("taken_over", taken);
+      row("now", now);
+      row("asked_again", settled.asked);
+      row.optional("not_asked", settled.kept);
+      row.optional("claims", claims.entries);
+      row.optional("claims_taken_over", claims.taken);
+      row.optional("claims_now", claims.now);
+      row.optional("claims_without_input", claims.without_input);
+    });
+  }
+  session.summary(fmt::format("{} of {}, {} taken over, {} now in {}",
+                              counted(entries, "entry", "entries"),
+                              counted(inputs.size(), "corpus", "corpora"), taken, now, output));
+  if (claims.entries > 0) {
     session.summary(fmt::format(
         "{}, {} taken over, {} now in {}/{}{}",
         counted(claims.entries, "input of properties", "inputs of properties"), claims.taken,
@@ -193,13 +178,13 @@ int merge_corpora(const MergeOptions& options, Session& session) {
             ? ""
             : fmt::format("; {} did not fail again and have no choices", claims.without_input)));
   }
-  if (merged.settled.asked > 0) {
+  if (settled.asked > 0) {
     session.summary(
         fmt::format("{} expectations that two entries of a query left in doubt are now "
                     "what their methods show",
-                    merged.settled.asked));
+                    settled.asked));
   }
-  for (const auto& [method, times] : merged.settled.kept) {
+  for (const auto& [method, times] : settled.kept) {
     session.summary(
         fmt::format("{} expectations of {} in doubt are as the entry taken first says: "
                     "it cannot be asked{}",
@@ -227,11 +212,10 @@ int run_merge(const MergeOptions& options, Session& session) {
 
 }  // namespace
 
-void add_merge(CommandLine& line, const std::vector<Property>& known) {
+void add_merge(CommandLine& line) {
   auto [command, options] =
       line.add<MergeOptions>("merge", "Join the shares of a run, or corpora", run_merge);
   command.example("what two hunts found", "merge finds1 finds2 -o corpus");
-  options->known = known;
   command
       .texts("input", options->inputs,
              "Shares of a data set (generate), or folders of answers (evaluate), or corpora (hunt) "

@@ -42,12 +42,8 @@ void print_table(const Table& table) {
   write_out(table.to_text(wants_colour(stdout)));
 }
 
-void print_full_rows(Table& table) {
-  write_out(table.take_text(wants_colour(stdout), 1000));
-}
-
-void print_last_rows(Table& table) {
-  write_out(table.take_text(wants_colour(stdout), 0));
+void print_rows(Table& table, size_t least) {
+  write_out(table.take_text(wants_colour(stdout), least));
 }
 
 void print_err(const std::string& text) {
@@ -58,10 +54,6 @@ void print_err(const std::string& text) {
 Result<void> flush_stdout() {
   errno = 0;
   if (std::fflush(stdout) != 0 && first_errno == 0) first_errno = errno;
-  return check_stdout();
-}
-
-Result<void> check_stdout() {
   if (first_errno == 0 && std::ferror(stdout) == 0) return {};
   return input_error("stdout", fmt::format("cannot write: {}",
                                            std::strerror(first_errno == 0 ? EIO : first_errno)));

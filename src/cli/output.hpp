@@ -19,11 +19,9 @@ void print_out(const std::string& text);
 /// The same of a table, in colour where that is wanted.
 void print_table(const Table& table);
 
-/// For a table of any length: prints its rows so far and forgets them, once there are 1,000, so
-/// that columns are as wide as 1,000 rows need.
-void print_full_rows(Table& table);
-/// The rest of its rows.
-void print_last_rows(Table& table);
+/// For a table of any length: prints its rows so far and forgets them, once there are `least`.
+/// Columns are then as wide as so many rows need.
+void print_rows(Table& table, size_t least = 0);
 
 /// Writes text to stderr, control characters shown. Where that fails there is nobody to tell.
 void print_err(const std::string& text);
@@ -34,9 +32,7 @@ void print_row(const Row& row) {
   print_out(to_json(row) + "\n");
 }
 
-/// Errors: something that was printed did not reach its destination. check_stdout looks only at
-/// what was tried so far, flush_stdout tries all of it.
-Result<void> check_stdout();
+/// Errors: something that was printed did not reach its destination.
 Result<void> flush_stdout();
 
 }  // namespace ccdfuzz

@@ -3,7 +3,6 @@
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/session.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -12,7 +11,7 @@ namespace {
 struct PropertiesOptions {};
 
 int run_properties(const PropertiesOptions&, Session& session) {
-  for (const Property& property : properties()) {
+  for (const Property& property : session.properties) {
     const bool known_false = property.expected == Expectation::kFails;
     const auto row = [&](auto& archive) {
       archive("property", std::string_view(property.name));

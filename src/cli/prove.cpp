@@ -53,8 +53,7 @@ void show(const std::string& id, const Completed& completed, Session& session) {
       },
       std::nullopt,
       [&]() -> std::vector<TableCell> {
-        return {
-            {id}, {completed.refuted ? "refuted" : "undecided", Emphasis::kBad}, {completed.note}};
+        return {{id}, {completed.refuted ? "refuted" : "undecided", true}, {completed.note}};
       });
 }
 
@@ -69,7 +68,6 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
 
 int run_prove(const ProveOptions& options, Session& session) {
   DataSetWriter destination = need(DataSetWriter::open(options.output));
-  leave_stdout_to(options.output);
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t cases = 0, refuted = 0;

@@ -1,4 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
 
 #include "base/text.hpp"
 #include "cli/answer_row.hpp"
@@ -62,46 +66,28 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
   if (judged.depth > 0) outcome += fmt::format(", {:.3g} deep", judged.depth);
   return {{marked(row.method)},
           {std::string(name_of(answer.verdict)) + at},
-          {outcome, bad ? Emphasis::kBad : Emphasis::kPlain},
+          {outcome, bad},
           {is_asked ? fmt::format("{}", answer.pops) : "-"},
           {is_asked ? duration_text(answer.seconds) : "-"}};
 }
 
-/// Notes about some answers, each with all methods of the case that it is of.
-class Notes {
- public:
-  void add(const AnswerRow& row) {
-    std::string text = row.judged.error;
-    if (!row.judged.answer.note.empty()) {
-      text += (text.empty() ? "" : ": ") + row.judged.answer.note;
-    }
-    if (text.empty()) return;
-    for (Note& note : notes_) {
-      if (note.id != row.id || note.text != text) continue;
-      note.methods += ", " + row.method;
-      return;
-    }
-    if (notes_.size() < kMost) {
-      notes_.push_back({row.id, row.method, text});
-    } else {
-      has_more_ = true;
-    }
-  }
-  void print() const {
-    for (const Note& note : notes_) {
-      print_out(wrapped(fmt::format("{}, {}: {}", note.id, note.methods, note.text), 2) + "\n");
-    }
-    if (has_more_) print_out("More of the kind are in the rows of --json\n");
-  }
+constexpr size_t kMostNotes = 5;
 
- private:
-  struct Note {
-    std::string id, methods, text;
-  };
-  static constexpr size_t kMost = 5;
-  std::vector<Note> notes_;
-  bool has_more_ = false;
-};
+/// Appends the notes about the answers to a case, each with all methods that it is of.
+void add_notes(std::vector<std::string>& notes, const std::string& id,
+               const std::vector<std::string>& methods, const std::vector<Judged>& answers) {
+  std::map<std::string, std::vector<std::string>> by_text;
+  for (size_t m = 0; m < answers.size(); ++m) {
+    const std::string &error = answers[m].error, &note = answers[m].answer.note;
+    const bool both = !error.empty() && !note.empty();
+    by_text[error + (both ? ": " : "") + note].push_back(methods[m]);
+  }
+  by_text.erase("");
+  for (const auto& [text, of] : by_text) {
+    if (notes.size() > kMostNotes) return;
+    notes.push_back(wrapped(fmt::format("{}, {}: {}", id, fmt::join(of, ", "), text), 2) + "\n");
+  }
+}
 
 /// "12 correct, 1 missed".
 std::string outcomes_text(const Tally& tally) {
@@ -128,7 +114,7 @@ int run_query(const QueryOptions& options, Session& session) {
   DefaultBudget budget;
   std::atomic<bool> spent = false;
   std::string first_left;  // the first case for which no work is left
-  Notes notes;
+  std::vector<std::string> notes;
   Tally tally;
   CaseCount counts;
   session.each_case<std::vector<Judged>>(
@@ -154,11 +140,11 @@ int run_query(const QueryOptions& options, Session& session) {
         counts.add(named.value);
         std::optional<std::string> title = title_of(named);
         const std::vector<std::string> asked = methods_for(named.value);
+        add_notes(notes, named.id, asked, answers);
         for (size_t m = 0; m < answers.size(); ++m) {
           budget.add(named, answers[m].answer);
           const AnswerRow row{named.id, asked[m], answers[m]};
           tally.add(answers[m].answer, answers[m].outcome, std::nullopt);
-          notes.add(row);
           session.show(row, std::exchange(title, std::nullopt), [&] { return query_cells(row); });
         }
       },
@@ -166,7 +152,8 @@ int run_query(const QueryOptions& options, Session& session) {
   counts.note("query");
   session.end_table(true);
   if (!session.json && counts.cases > 0) {
-    notes.print();
+    for (size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) print_out(notes[i]);
+    if (notes.size() > kMostNotes) print_out("More of the kind are in the rows of --json\n");
     print_out(mark_note(options.methods));
     if (by_default && tally.count(Outcome::kUndecided) > 0) {
       print_out(

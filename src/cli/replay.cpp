@@ -19,7 +19,6 @@
 #include "finds/failure.hpp"
 #include "hunt/served_claim.hpp"
 #include "method/served_method.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -31,7 +30,6 @@ struct ReplayOptions {
   std::optional<Outcome> expect;     ///< for every method, in place of what an entry says
   bool update = false;
   SearchFlags search;
-  std::vector<Property> known;
 };
 
 /// An expectation of an entry and what was got, as a row of the table and of the JSON output.
@@ -168,7 +166,7 @@ class Replay {
     for (const std::string& path : need(list_entries(folder))) {
       if (session_.interrupted()) return;
       const ClaimFind find = need(read_find(path));
-      const Result<Property> property = property_named(find.property, options_.known);
+      const Result<Property> property = property_named(find.property, session_.properties);
       if (!property) throw BadInput{{path + ": property", property.error().what}};
       const InputRun run = served.on(*property, find.choices);
       if (run.error == "interrupted") return;
@@ -331,34 +329,30 @@ class Replay {
 };
 
 int run_replay(const ReplayOptions& options, Session& session) {
-  const SearchFlags& search = options.search;
-  if (options.update && (search.precision || search.max_pops != 0 ||
-                         search.max_seconds != SearchFlags().max_seconds)) {
-    throw BadInput{{"--update",
-                    "excludes --precision, --max-pops and --max-seconds: an entry "
-                    "says itself how it is asked (asked)"}};
-  }
   return Replay(options, session).run();
 }
 
 }  // namespace
 
-void add_replay(CommandLine& line, const std::vector<Property>& known) {
+void add_replay(CommandLine& line) {
   auto [command, options] =
       line.add<ReplayOptions>("replay", "Run a corpus as regression tests", run_replay);
   command.example("whether your code is mended",
                   "replay finds --methods plugin:./libmine.so --expect correct");
-  options->known = known;
   command.text("corpus", options->corpus, "Folder, or a file of cases");
   add_methods(command, options->methods, "Methods to run, by default those that an entry names");
   command.allow_plugins();
   command.choice("--expect OUTCOME", options->expect,
                  "What is expected of each method about every entry that it takes, such as "
                  "correct; by default what the entry says");
-  command.flag("--update", options->update,
-               "Write what methods show now into the entries, but no hang, which depends on the "
-               "machine, and exit with 0");
-  options->search.add_with_default_budget_to(command);
+  Option update = command.flag(
+      "--update", options->update,
+      "Write what methods show now into the entries, but no hang, which depends on the "
+      "machine, and exit with 0");
+  // An entry says itself how it is asked.
+  for (const Option& limit : options->search.add_with_default_budget_to(command)) {
+    update.excludes(limit);
+  }
   command.max_work();
   command.threads();
   command.json("One JSON object per expectation");

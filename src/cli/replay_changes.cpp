@@ -43,10 +43,9 @@ void Changes::update(const std::string& path, const std::string& text,
 
 std::vector<TableCell> change_cells(const std::string& of, std::string_view expected,
                                     std::string_view got, Change change) {
-  const bool is_good = change == Change::kImprovement;
   return {{of},
           {std::string(expected)},
-          {std::string(got), is_good ? Emphasis::kPlain : Emphasis::kBad},
+          {std::string(got), change != Change::kImprovement},
           {std::string(name_of(change))}};
 }
 

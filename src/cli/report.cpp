@@ -57,7 +57,7 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   const RunHeader header = answers.lines.header();
   SearchFlags search;
   const auto precision = header.asked.find("--precision");
-  if (precision != header.asked.end() && precision->second != kOwnPrecision) {
+  if (precision != header.asked.end()) {
     search.precision = need(parse_number(answers.lines.where(), precision->second));
   }
   for (const std::string& file : header.inputs) need(refuse_irregular(file));
@@ -69,13 +69,12 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   std::uint64_t done = 0;
   need(evaluate(
       header.inputs, evaluated_as, &answers,
-      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
-          double share) -> Result<void> {
+      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
         if (is_new)
           return input_error(answers.lines.where(), "is the last line: none is of " + named.id);
         rows.add(evaluated);
         shown.add(evaluated, named.value, search.options_for(named.value).precision);
-        session.progress().show(share, evaluated.contact, ++done, "cases");
+        session.progress().show(named.share, evaluated.contact, ++done, "cases");
         return {};
       },
       [&] { return session.interrupted(); }));

@@ -3,11 +3,14 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <atomic>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
@@ -15,6 +18,7 @@
 #include "io/fields.hpp"
 #include "io/run_file.hpp"
 #include "io/table.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -46,6 +50,9 @@ class Session {
  public:
   int threads = 1;
   bool json = false;
+  std::vector<Property> properties;  ///< all that there are
+  FindSuite find_suite;
+  std::map<std::string, std::string> asked;  ///< the command's options that decide its result
 
   /// Begins a table whose rows are printed as they come, 1,000 at a time.
   Table& begin_table(std::vector<Table::Column> columns) {
@@ -59,7 +66,7 @@ class Session {
   template <class Row, class Cells>
   void show(const Row& row, const std::optional<std::string>& group, const Cells& cells) {
     if (json) return print_row(row);
-    print_full_rows(*table_);
+    print_rows(*table_, 1000);
     if (group) table_->start_group(*group);
     table_->add_row(cells());
   }
@@ -82,8 +89,7 @@ class Session {
     const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
     const Result<void> read = stream_cases<Row>(
-        std::move(cases), threads,
-        [](NamedCase named) -> Result<std::optional<NamedCase>> { return named; },
+        threads, [&] { return cases.next(); },
         [&](NamedCase& named) -> Result<Row> {
           try {
             return work(named);
@@ -91,9 +97,9 @@ class Session {
             return tl::unexpected(bad.error);
           }
         },
-        [&](const NamedCase& named, Row row, double share) {
+        [&](const NamedCase& named, Row row) {
           sink(named, std::move(row));
-          progress_.show(share, named.id, ++done, "cases");
+          progress_.show(named.share, named.id, ++done, "cases");
         },
         [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();

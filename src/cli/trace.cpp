@@ -65,7 +65,7 @@ std::vector<TableCell> trace_cells(const std::string& method, const Trace& trace
                                 ? fmt::format("{}", trace.pairs)
                                 : fmt::format("{} of {} lost", trace.lost_pairs, trace.pairs);
   return {{marked(method)},
-          {trace.lost ? "lost" : "kept", trace.lost ? Emphasis::kBad : Emphasis::kPlain},
+          {trace.lost ? "lost" : "kept", trace.lost},
           level,
           axis,
           below,

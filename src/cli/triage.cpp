@@ -28,12 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TriageArguments {
-  FindSuite find_suite;
   std::vector<std::string> inputs;
   std::string output = "finds";
   std::optional<std::string> target;
   std::string known;
-  std::string methods = fmt::format("{},trad", fmt::join(default_methods(), ","));
+  std::vector<std::string> methods = default_methods();
   double seconds = 60;
   SearchFlags search;
   bool remove = false;
@@ -136,8 +135,7 @@ class TriageRun {
     arguments_.target ? triage_claims(files) : triage_cases(files);
     session_.progress().clear();
     if (session_.json) print_row(counts_);
-    const bool asked_plugins =
-        std::ranges::any_of(need(parse_method_list(arguments_.methods)), names_plugin);
+    const bool asked_plugins = std::ranges::any_of(arguments_.methods, names_plugin);
     session_.summary(to_text(counts_,
                              arguments_.target ? claims_in(arguments_.output) : arguments_.output,
                              !arguments_.target && !asked_plugins && counts_.tally.harmless > 0));
@@ -178,7 +176,7 @@ class TriageRun {
 
   void triage_cases(const std::vector<std::string>& files) {
     TriageOptions options;
-    options.methods = need(parse_method_list(arguments_.methods));
+    options.methods = arguments_.methods;
     Store store = need(Store::open(arguments_.output));
     options.search = arguments_.search.options();
     options.stop = [this] { return is_over(); };
@@ -223,7 +221,7 @@ class TriageRun {
     if (name == "query" || name == "witnessed") {
       throw BadInput{{"--target", "inputs of " + name + " are read without it"}};
     }
-    const Result<Suite> suite = arguments_.find_suite(name);
+    const Result<Suite> suite = session_.find_suite(name);
     if (!suite) throw BadInput{{"--target", suite.error().message()}};
     need(make_writable_folder(claims_in(arguments_.output)));
     ServedClaims served;
@@ -308,11 +306,11 @@ int run_triage(const TriageArguments& arguments, Session& session) {
 
 }  // namespace
 
-void add_triage(CommandLine& line, const FindSuite& find_suite) {
+void add_triage(CommandLine& line) {
   auto [command, options] = line.add<TriageArguments>(
       "triage", "Confirm, minimise, deduplicate and store what fuzzers found", run_triage);
   command.example("the findings of a fuzz target", "triage crash-* -o finds");
-  options->find_suite = find_suite;
+  options->methods.emplace_back("trad");
   command
       .texts("input", options->inputs,
              "Inputs of fuzz_query or fuzz_witnessed, case files (.csv among them), or folders of "
@@ -321,10 +319,7 @@ void add_triage(CommandLine& line, const FindSuite& find_suite) {
   Option target = command.text("--target NAME", options->target,
                                "The inputs are those of this other target, whose claims fail on "
                                "them; they go to `claims` in the folder");
-  command.plugin_names();
-  target.excludes(
-      command.text("--methods LIST", options->methods, "Methods to run, separated by commas")
-          .in("Methods"));
+  target.excludes(add_methods(command, options->methods, "Methods to run, separated by commas"));
   command.group("Results");
   command.text("-o,--output FOLDER", options->output, "Where to store counterexamples");
   command.text(

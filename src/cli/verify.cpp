@@ -96,7 +96,7 @@ int run_verify(const VerifyOptions& options, Session& session) {
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
         session.show(verified, std::nullopt, [&]() -> std::vector<TableCell> {
           const std::string standing(name_of(verified.standing));
-          return {{verified.id}, {standing, Emphasis::kBad}, {verified.note}};
+          return {{verified.id}, {standing, true}, {verified.note}};
         });
       });
   session.end_table(true);

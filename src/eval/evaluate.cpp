@@ -76,14 +76,18 @@ Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptio
                       EarlierLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop) {
   tbb::enumerable_thread_specific<MethodSet> methods;
-  std::uint64_t next = 0;
+  CaseStream cases(files);
+  std::uint64_t index = 0;  // of the next case
   Result<void> done;
   const Result<void> read = stream_cases<EvaluatedCase>(
-      CaseStream(files), options.threads,
-      [&](NamedCase named) -> Result<std::optional<ToEvaluate>> {
-        const std::uint64_t index = next++;
-        if (index % options.shard.of != options.shard.index) return std::nullopt;
-        ToEvaluate item{std::move(named), index, {}};
+      options.threads,
+      [&]() -> Result<std::optional<ToEvaluate>> {
+        CCDFUZZ_TRY(auto named, cases.next());
+        for (; named && index % options.shard.of != options.shard.index; ++index) {
+          CCDFUZZ_TRY(named, cases.next());
+        }
+        if (!named) return std::nullopt;
+        ToEvaluate item{*std::move(named), index++, {}};
         if (earlier == nullptr || earlier->left == 0) return item;
         CCDFUZZ_TRY(const auto line, earlier->lines.next());
         earlier->left = line ? earlier->left - 1 : 0;
@@ -95,8 +99,8 @@ Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptio
           return item.line ? read_answers(item) : ask_all(item, known, options, methods.local());
         });
       },
-      [&](const ToEvaluate& item, const EvaluatedCase& evaluated, double share) {
-        if (done) done = on_case(item, evaluated, !item.line, share);
+      [&](const ToEvaluate& item, const EvaluatedCase& evaluated) {
+        if (done) done = on_case(item, evaluated, !item.line);
       },
       [&] { return !done || stop(); });
   return read ? done : read;

@@ -25,10 +25,9 @@ struct EvaluateOptions {
   int threads = 1;
 };
 
-/// Sees a case and its answers. is_new: no earlier run gave them. share: how much of the files has
-/// been read.
-using OnEvaluated = std::function<Result<void>(
-    const NamedCase& named, const EvaluatedCase& evaluated, bool is_new, double share)>;
+/// Sees a case and its answers. is_new: no earlier run gave them.
+using OnEvaluated = std::function<Result<void>(const NamedCase& named,
+                                               const EvaluatedCase& evaluated, bool is_new)>;
 
 /// earlier: the answers to the first cases of the share, which need not be asked; null: none.
 /// Checks every case of the share (decide_rows, check_case) and asks every method about it. on_case

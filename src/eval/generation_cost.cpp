@@ -75,6 +75,7 @@ void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost) {
 Table generation_table(const std::vector<GenerationCost>& costs) {
   GenerationCost total;
   for (const GenerationCost& cost : costs) total += cost;
+  std::erase_if(total.discarded, [](const auto& step) { return step.second == 0; });
   std::vector<Table::Column> columns = {
       {"class", Align::kLeft},    {"kind", Align::kLeft},        {"cases"},
       {"each", Align::kRight, 7}, {"paper's", Align::kRight, 7}, {"begun"}};
@@ -89,9 +90,7 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
         {papers},
         {fmt::format("{}", cost.begun)}};
     for (const auto& [step, all] : total.discarded) {
-      const std::uint64_t count = discarded_in(cost, step);
-      cells.push_back(
-          {count_text(count, cost.begun), count == 0 ? Emphasis::kFaint : Emphasis::kPlain});
+      cells.push_back({count_text(discarded_in(cost, step), cost.begun)});
     }
     table.add_row(std::move(cells));
   };

@@ -48,7 +48,7 @@ Result<void> write_costs(const std::string& case_path, const std::vector<Generat
 void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost);
 
 /// Table 4: counts, CPU time of each accepted case with its share of what was discarded, beside the
-/// paper's, and the discards of each step.
+/// paper's. And the discards of each step that had some.
 Table generation_table(const std::vector<GenerationCost>& costs);
 
 }  // namespace ccdfuzz

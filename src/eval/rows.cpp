@@ -46,12 +46,7 @@ void Rows::add(const EvaluatedCase& evaluated) {
   }
 }
 
-std::vector<Row> Rows::in_order() const {
-  return in_order([](const RowKey& key) { return key; });
-}
-
-std::vector<Row> Rows::in_order(
-    const std::function<std::optional<RowKey>(const RowKey&)>& coarser) const {
+std::vector<Row> Rows::in_order(const Coarser& coarser) const {
   std::map<Order, Row> merged;
   for (const auto& [order, row] : rows_) {
     const std::optional<RowKey> key = coarser(row.key);

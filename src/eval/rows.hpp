@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "case/answer.hpp"
@@ -97,23 +98,14 @@ class Rows {
   void add(const EvaluatedCase& evaluated);
 
   /// The rows in the order: contact classes of the paper, then others by name; kinds, the regular
-  /// ones first; horizons; methods as they first came.
-  std::vector<Row> in_order() const;
-  /// The same of coarser rows: those that `coarser` gives the same key are one, and those that it
-  /// gives none are left out. It keeps the method.
-  std::vector<Row> in_order(
-      const std::function<std::optional<RowKey>(const RowKey&)>& coarser) const;
+  /// ones first; horizons; methods as they first came. Those that `coarser` gives the same key are
+  /// one, and those that it gives none are left out. It keeps the method.
+  using Coarser = std::function<std::optional<RowKey>(const RowKey&)>;
+  std::vector<Row> in_order(const Coarser& coarser = std::identity()) const;
 
  private:
-  struct Order {
-    size_t contact_rank;
-    std::string contact;
-    size_t kind_rank;
-    std::string kind;
-    std::optional<double> factor;
-    size_t method;
-    auto operator<=>(const Order&) const = default;
-  };
+  /// Rank and name of the class, of the kind; factor; place of the method.
+  using Order = std::tuple<size_t, std::string, size_t, std::string, std::optional<double>, size_t>;
   Order order_of(const RowKey& key) const;
 
   std::vector<std::string> methods_;

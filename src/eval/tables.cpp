@@ -24,16 +24,12 @@ std::string rate_text(const PaperRate& rate) {
                      100.0 * static_cast<double>(rate.count) / static_cast<double>(rate.total));
 }
 
-TableCell if_known(const std::optional<std::string>& text) {
-  return text ? TableCell{*text} : TableCell{"-", Emphasis::kFaint};
-}
-
 using PaperText = std::optional<std::string> (*)(const PaperResult& paper);
 
 Column<Row> paper_column(const char* title, PaperText text) {
-  return {title, [text](const Row& row) {
+  return {{title}, [text](const Row& row) {
             const auto paper = paper_result(row.key.contact, row.key.kind, row.key.method);
-            return if_known(paper ? text(*paper) : std::nullopt);
+            return TableCell{(paper ? text(*paper) : std::nullopt).value_or("-")};
           }};
 }
 
@@ -70,21 +66,21 @@ Table paper_table(std::vector<Row> rows) {
   std::vector<Column<Row>> columns = key_columns(true, false);
   columns.insert(
       columns.end(),
-      {{"mean", [](const Row& row) { return TableCell{duration_text(row.tally.seconds.mean())}; }},
+      {{{"mean"},
+        [](const Row& row) { return TableCell{duration_text(row.tally.seconds.mean())}; }},
        paper_column("paper's",
                     [](const PaperResult& p) { return std::optional(duration_text(p.seconds)); }),
-       {"FN missed",
+       {{"FN missed"},
         [](const Row& row) {
           const std::uint64_t missed = row.tally.count(Outcome::kMissed);
-          return TableCell{rate_text({missed, row.tally.positives}),
-                           missed > 0 ? Emphasis::kBad : Emphasis::kPlain};
+          return TableCell{rate_text({missed, row.tally.positives}), missed > 0};
         }},
        paper_column("paper's FN",
                     [](const PaperResult& p) {
                       const auto& misses = p.false_negatives;
                       return misses ? std::optional(rate_text(*misses)) : std::nullopt;
                     }),
-       {"FP",
+       {{"FP"},
         [](const Row& row) {
           const std::uint64_t wrong = row.tally.count(Outcome::kFalsePositive);
           return TableCell{rate_text({wrong, row.tally.negatives})};

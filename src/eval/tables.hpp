@@ -16,21 +16,15 @@ namespace ccdfuzz {
 
 /// A column of a table of rows.
 template <class Row>
-struct Column {
-  std::string title;
+struct Column : Table::Column {
   std::function<TableCell(const Row&)> cell;
-  Align align = Align::kRight;
-  size_t least_width = 0, most_width = 0;  ///< as in Table::Column
 };
 
 /// A table with a row for each of `rows`. A group ends where same_group(row, next) is false.
 template <class Row, class SameGroup>
 Table table_of(const std::vector<Row>& rows, const std::vector<Column<Row>>& columns,
                const SameGroup& same_group) {
-  std::vector<Table::Column> heads;
-  for (const Column<Row>& column : columns)
-    heads.push_back({column.title, column.align, column.least_width, column.most_width});
-  Table table(std::move(heads));
+  Table table({columns.begin(), columns.end()});
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && !same_group(rows[i - 1], rows[i])) table.start_group();
     std::vector<TableCell> cells;
@@ -45,23 +39,19 @@ Table table_of(const std::vector<Row>& rows, const std::vector<Column<Row>>& col
 /// A text to the left.
 template <class Row, class Text>
 Column<Row> text_column(const char* title, const Text& text) {
-  return {title, [text](const Row& row) { return TableCell{std::string(text(row))}; },
-          Align::kLeft};
+  return {{title, Align::kLeft},
+          [text](const Row& row) { return TableCell{std::string(text(row))}; }};
 }
 
 /// A measurement of the answers: "-" where there was none.
 template <class Row, class Text>
 Column<Row> measured_column(const char* title, const Text& text) {
-  return {title, [text](const Row& row) {
-            return row.tally.n > 0 ? TableCell{text(row)} : TableCell{"-", Emphasis::kFaint};
-          }};
+  return {{title}, [text](const Row& row) { return TableCell{row.tally.n > 0 ? text(row) : "-"}; }};
 }
 
-/// A count with its share of `of`: faint if it is 0, and red where it is bad.
+/// A count with its share of `of`.
 inline TableCell count_cell(std::uint64_t count, std::uint64_t of, bool is_bad) {
-  return {count_text(count, of), count == 0 ? Emphasis::kFaint
-                                 : is_bad   ? Emphasis::kBad
-                                            : Emphasis::kPlain};
+  return {count_text(count, of), is_bad && count > 0};
 }
 
 /// Appends for each outcome how many answers had it, of those where it may be. "-" where it may not
@@ -72,9 +62,9 @@ void add_outcomes(std::vector<Column<Row>>& columns, const std::vector<Outcome>&
   for (const Outcome outcome : outcomes) {
     const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
     const std::string title(outcome == Outcome::kFalsePositive ? "FP" : name_of(outcome));
-    columns.push_back({title, [=](const Row& row) -> TableCell {
+    columns.push_back({{title}, [=](const Row& row) -> TableCell {
                          const std::uint64_t of = row.tally.of_which(outcome);
-                         if (of == 0) return {"-", Emphasis::kFaint};
+                         if (of == 0) return {"-"};
                          TableCell cell = count_cell(row.tally.count(outcome), of, is_bad);
                          if (!has_share) cell.text = fmt::format("{}", row.tally.count(outcome));
                          return cell;
@@ -93,7 +83,7 @@ std::vector<Outcome> met_in(const std::vector<Row>& rows, std::vector<Outcome> o
 
 template <class Row>
 Column<Row> asked_column() {
-  return {"n", [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
+  return {{"n"}, [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
 }
 
 /// Below a table: what its columns of false positives and of refused queries count. Empty if there
@@ -114,7 +104,7 @@ std::string column_notes(const std::vector<Row>& rows) {
 template <class Row>
 void add_refused_column(std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   if (std::ranges::all_of(rows, [](const Row& row) { return row.tally.not_asked() == 0; })) return;
-  columns.push_back({"not asked", [](const Row& row) {
+  columns.push_back({{"not asked"}, [](const Row& row) {
                        return TableCell{fmt::format("{}", row.tally.not_asked())};
                      }});
 }
@@ -139,17 +129,11 @@ Table paper_table_3(const Rows& rows);
 // a line for each row of the table of performance. tables.md has the tables as they are printed.
 // answers.jsonl appears last: once it is there the others are, too.
 
-/// The run file's --precision where none was given.
-inline constexpr std::string_view kOwnPrecision = "the case's own";
-
 std::string answers_path(const std::string& folder);
 
 /// The tables as they are printed: performance, Tables 1 to 3 beside the paper's, Table 4; those of
 /// which there is nothing to say are left out.
-struct NamedTable {
-  std::string title;
-  Table table;
-};
+using NamedTable = std::pair<std::string, Table>;
 std::vector<NamedTable> evaluation_tables(const Rows& rows,
                                           const std::vector<GenerationCost>& costs);
 

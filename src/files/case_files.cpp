@@ -160,16 +160,15 @@ Result<std::optional<NamedCase>> CaseStream::next() {
       CCDFUZZ_TRY(file_, CaseFile::open(path, csv_));
     }
     auto given = file_->next();
+    if (given && *given && size_ > 0) {
+      const auto read = static_cast<double>(size_before_ + file_->position());
+      (*given)->share = std::min(1.0, read / static_cast<double>(size_));
+    }
     if (!given || *given) return given;
     size_before_ += size_of(path);
     file_.reset();
   }
   return std::nullopt;
-}
-
-double CaseStream::share() const {
-  const std::uint64_t read = size_before_ + (file_ ? file_->position() : 0);
-  return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(read) / static_cast<double>(size_));
 }
 
 Result<NamedCase> read_case(const std::string& path) {
@@ -180,9 +179,9 @@ Result<NamedCase> read_case(const std::string& path) {
   return *std::move(first);
 }
 
-Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths) {
+Result<std::vector<NamedCase>> read_cases(const std::string& path) {
   std::vector<NamedCase> cases;
-  CaseStream stream(paths);
+  CaseStream stream({path});
   std::uint64_t bytes = 0;
   for (;;) {
     CCDFUZZ_TRY(auto next, stream.next());
@@ -199,10 +198,6 @@ Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths)
   }
 }
 
-Result<std::vector<NamedCase>> read_cases(const std::string& path) {
-  return read_cases(std::vector{path});
-}
-
 struct CaseWriter::State {
   struct FreeContext {
     void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
@@ -211,6 +206,7 @@ struct CaseWriter::State {
   std::string path;
   CaseFileKind kind;
   OutputFile file;
+  size_t piece;  ///< so much is handed on at once: who reads a stream gets each case as it comes
   std::string pending = {};
   size_t written = 0;
   std::unique_ptr<ZSTD_CCtx, FreeContext> zstd = {};
@@ -246,7 +242,8 @@ CaseWriter::~CaseWriter() = default;
 Result<CaseWriter> CaseWriter::open(const std::string& path) {
   CCDFUZZ_TRY(const auto kind, case_file_kind(path));
   CCDFUZZ_TRY(auto file, OutputFile::create(path));
-  auto state = std::make_unique<State>(State{path, kind, std::move(file)});
+  auto state =
+      std::make_unique<State>(State{path, kind, std::move(file), is_stream(path) ? 0 : kPiece});
   if (kind == CaseFileKind::kJsonLinesZstd) {
     state->zstd.reset(ZSTD_createCCtx());
     CCDFUZZ_VERIFY(state->zstd != nullptr);
@@ -264,7 +261,7 @@ Result<void> CaseWriter::write(const Case& value) {
   s.pending +=
       to_json(value, s.kind == CaseFileKind::kJson ? JsonLayout::kReadable : JsonLayout::kOneLine);
   s.pending += '\n';
-  return s.pending.size() < kPiece ? Result<void>() : s.flush(false);
+  return s.pending.size() < s.piece ? Result<void>() : s.flush(false);
 }
 
 Result<void> CaseWriter::complete() {

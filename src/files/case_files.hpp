@@ -18,6 +18,7 @@ struct NamedCase {
   std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
   std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
   std::uint64_t bytes = 0;                    ///< the length of its text in the file
+  double share = 0;  ///< how much of the files of its CaseStream had been read then, in [0, 1]
 };
 
 /// How large the files are that the cases of a run came from: compressed, a case may take a byte.
@@ -68,8 +69,6 @@ class CaseStream {
   /// The next case; nothing at the end. Errors: as case_files and CaseFile. No reading on after an
   /// error.
   Result<std::optional<NamedCase>> next();
-  /// How much of the files has been read, in [0, 1].
-  double share() const;
 
  private:
   Result<std::vector<std::string>> paths_;
@@ -87,8 +86,7 @@ Result<NamedCase> read_case(const std::string& path);
 /// points.
 inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
 
-/// All cases of the files at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.
-Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths);
+/// All cases of a file at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.
 Result<std::vector<NamedCase>> read_cases(const std::string& path);
 
 /// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at

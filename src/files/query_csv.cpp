@@ -89,15 +89,11 @@ Result<std::vector<bool>> read_truths(const std::string& path) {
 }  // namespace
 
 std::array<Shape, 2> csv_shapes(CsvLayout layout) {
-  switch (layout) {
-    case CsvLayout::kEdgeEdge:
-      return {Shape::curve(1), Shape::curve(1)};
-    case CsvLayout::kVertexFace:
-      return {Shape::point(), Shape::triangle(1)};
-    case CsvLayout::kCurved:
-      return {Shape::triangle(2), Shape::triangle(2)};
-  }
-  return {};
+  constexpr std::array<std::array<Shape, 2>, kAllCsvLayouts.size()> kShapes = {
+      {{Shape::curve(1), Shape::curve(1)},
+       {Shape::point(), Shape::triangle(1)},
+       {Shape::triangle(2), Shape::triangle(2)}}};
+  return kShapes[static_cast<size_t>(layout)];
 }
 
 std::optional<CsvLayout> csv_layout_of_path(const std::string& path) {

@@ -67,16 +67,18 @@ HelpCommand described(const CLI::App& app) {
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
   // The next thing to type comes last.
-  for (const char* last : {"Limits", "Other"}) {
-    const auto at = std::ranges::find(help.groups, last, [](const auto& g) { return g.first; });
-    if (at != help.groups.end()) std::rotate(at, at + 1, help.groups.end());
-  }
-  if (const auto at =
-          std::ranges::find(help.groups, "Arguments", [](const auto& g) { return g.first; });
-      at != help.groups.end()) {
-    std::rotate(help.groups.begin(), at, at + 1);
-  }
+  std::ranges::stable_sort(help.groups, {}, [](const auto& of_title) {
+    const std::string& title = of_title.first;
+    return title == "Arguments" ? 0 : title == "Limits" ? 2 : title == "Other" ? 3 : 1;
+  });
   return help;
+}
+
+std::string no_such(const char* what, const std::string& name,
+                    const std::vector<std::string>& known, const std::string& of) {
+  const std::string meant = did_you_mean(name, known);
+  return fmt::format("no such {}{}", what,
+                     meant.empty() ? fmt::format("; {} {}--help lists them", kProgram, of) : meant);
 }
 
 std::string no_such_option(const CLI::App& command, const std::string& name) {
@@ -84,10 +86,8 @@ std::string no_such_option(const CLI::App& command, const std::string& name) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional()) names.push_back(option->get_name());
   }
-  const std::string meant = did_you_mean(name, names);
   const std::string of = command.get_parent() == nullptr ? "" : command.get_name() + " ";
-  return "no such option" +
-         (meant.empty() ? fmt::format("; {} {}--help lists them", kProgram, of) : meant);
+  return no_such("option", name, names, of);
 }
 
 class HelpFormatter : public CLI::Formatter {
@@ -123,9 +123,7 @@ std::string chosen_name(const CLI::App& app) {
 std::string no_such_command(const CLI::App& app, const std::string& name) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::string meant = did_you_mean(name, names);
-  return "no such command" +
-         (meant.empty() ? fmt::format("; {} --help lists them", kProgram) : meant);
+  return no_such("command", name, names, "");
 }
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {

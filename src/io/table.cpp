@@ -24,18 +24,6 @@ std::string padded(const std::string& text, size_t to, Align align) {
   return align == Align::kLeft ? text + blanks : blanks + text;
 }
 
-const char* escape_for(Emphasis emphasis) {
-  switch (emphasis) {
-    case Emphasis::kPlain:
-      return "";
-    case Emphasis::kBad:
-      return "\x1b[1;31m";
-    case Emphasis::kFaint:
-      return "\x1b[2m";
-  }
-  return "";
-}
-
 std::string markdown_field(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -139,8 +127,7 @@ std::string Table::row_text(const Row& row, const Layout& layout, bool colour) c
     if (i > 0) line += "  ";
     const size_t c = layout.columns[i];
     const std::string cell = padded(cell_text(row, c), layout.widths[i], columns_[c].align);
-    const Emphasis emphasis = row.cells[c].emphasis;
-    line += colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
+    line += colour && row.cells[c].is_bad ? "\x1b[1;31m" + cell + "\x1b[0m" : cell;
   }
   strip_trailing_blanks(line);
   std::string before;

@@ -9,12 +9,9 @@ namespace ccdfuzz {
 
 enum class Align { kLeft, kRight };
 
-/// How strongly a cell asks to be seen; only terminals show it.
-enum class Emphasis { kPlain, kBad, kFaint };
-
 struct TableCell {
   std::string text;
-  Emphasis emphasis = Emphasis::kPlain;
+  bool is_bad = false;  ///< red on terminals
 };
 
 /// A table of texts: people read it aligned, documents have it as Markdown.

@@ -127,15 +127,10 @@ std::string json_text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-bool has_failure(const ReportedCase& reported) {
-  return std::ranges::any_of(reported.answers,
-                             [](const ReportedAnswer& a) { return is_failure(a.outcome); });
-}
-
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
                   bool trace_all, TracerSet& tracers) {
   const Case& known = reported.value;
-  const bool failed = has_failure(reported);
+  const bool failed = reported.has_failure();
   const auto& witness = known.truth.witness;
   const bool traceable = witness && witness->t <= exact(known.query.t_max);
   std::string outcomes(methods.size(), '-');

@@ -28,16 +28,7 @@ constexpr size_t kCasesPerChunk = 32;
 /// A page of as many cases has room for the traces of the methods that did not fail on them.
 constexpr size_t kFewCases = 200;
 
-/// The place of a method's family among those registered; plug-ins and unknown ones come last.
-size_t rank_of_method(const std::string& method) {
-  const std::vector<MethodInfo>& all = registered_methods();
-  const Result<MethodInfo> info = method_info(method);
-  if (!info) return all.size();
-  const auto at = std::ranges::find(all, info->spec, &MethodInfo::spec);
-  return static_cast<size_t>(at - all.begin());
-}
-
-/// All methods of the report, in the order of the registry, and by name within a family.
+/// All methods of the report, as they first come.
 std::vector<std::string> methods_of(const ReportPage& report) {
   std::vector<std::string> methods;
   const auto add = [&](const std::string& method) {
@@ -47,8 +38,6 @@ std::vector<std::string> methods_of(const ReportPage& report) {
   for (const ReportedCase& reported : report.cases) {
     for (const ReportedAnswer& answer : reported.answers) add(answer.method);
   }
-  std::ranges::sort(methods, {},
-                    [](const std::string& m) { return std::pair(rank_of_method(m), m); });
   return methods;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,6 +35,10 @@ struct ReportedCase {
   double precision = 1e-4;     ///< that it was asked at
   std::optional<bool> is_new;  ///< for a hunt: found now, or known before
   std::string reproduce;       ///< the command that shows it again; may be empty
+
+  bool has_failure() const {
+    return std::ranges::any_of(answers, is_failure, &ReportedAnswer::outcome);
+  }
 };
 
 /// How a hunt went.
@@ -59,9 +64,6 @@ struct ReportPage {
 /// The limits of a page, so that it stays small and quick to open.
 inline constexpr std::size_t kMostReportedCases = 5000;
 inline constexpr std::size_t kMostPageBytes = 19'000'000;
-
-/// True iff any method's outcome is a failure (is_failure).
-bool has_failure(const ReportedCase& reported);
 
 /// Keeps at most `most` of the cases, the first ones. Each class, kind and set of failing methods
 /// has the same number where there are enough. Counts the rest in cases_left_out.

@@ -46,7 +46,7 @@ void ReportRows::add_curvatures(const Case& known) {
 
 void ReportRows::keep(ReportedCase reported, const Case& known,
                       const std::optional<double>& factor) {
-  const bool failed = has_failure(reported);
+  const bool failed = reported.has_failure();
   if (!failed && ++sampled_[known.origin.contact + known.origin.kind] > kSamplesOfEach) return;
   if (factor && *factor != 1) reported.id += fmt::format(" ×{}", *factor);
   const std::optional<double> t_max = factor ? horizon_of(known, *factor) : std::nullopt;

@@ -183,10 +183,11 @@ std::vector<Property> misbehaving() {
 int main(int argc, char** argv) {
   ::setenv("MISBEHAVING_PROPERTIES", std::to_string(::getpid()).c_str(), 0);
   ccdfuzz::serve_if_asked(argc, argv, {.claims = ccdfuzz::misbehaving()});
-  ccdfuzz::CommandLine line;
-  ccdfuzz::add_check(line, ccdfuzz::misbehaving());
-  ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::Suite> {
+  const auto suite = [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::Suite> {
     return ccdfuzz::Suite{std::string(name), false, ccdfuzz::misbehaving()};
-  });
+  };
+  ccdfuzz::CommandLine line(ccdfuzz::misbehaving(), suite);
+  ccdfuzz::add_check(line);
+  ccdfuzz::add_triage(line);
   return line.parse_and_run(argc, argv);
 }

@@ -38,8 +38,8 @@ TEST(ReportCommand, ShowsAPluginsAnswers) {
   write_text(folder / "corpus/entry.json", entry.dump());
   succeeded(ccdfuzz({"report", folder / "corpus", "-o", folder / "page"}));
   const nlohmann::json page = page_data(folder / "page");
-  EXPECT_EQ(page["methods"][1]["spec"], kPlugin);
-  EXPECT_EQ(page["cases"][0][4], "cm");
+  EXPECT_EQ(page["methods"][0]["spec"], kPlugin);
+  EXPECT_EQ(page["cases"][0][4], "mc");
 }
 
 TEST(ReportCommand, OfQueryCsvsHasTable3AndNoRateOfTheirs) {

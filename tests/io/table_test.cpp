@@ -11,7 +11,7 @@ namespace {
 
 Table sample() {
   Table table({{"name", Align::kLeft}, {"n"}, {"note", Align::kLeft}});
-  table.add_row({{"a"}, {"1", Emphasis::kBad}, {"µs"}});
+  table.add_row({{"a"}, {"1", true}, {"µs"}});
   table.start_group();
   table.add_row({{"long name"}, {"1000"}, {"x"}});
   return table;

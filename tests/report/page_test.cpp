@@ -101,8 +101,8 @@ echo '{"protocol":1,"name":"mine","version":"1.0","conservative":true}'
   ReportPage report;
   const std::string known = "plugin:known", gone = "plugin:lost.so";
   report.cases = {reported("VV", Outcome::kMissed)};
-  report.cases[0].answers.push_back({gone, Outcome::kMissed, std::nullopt});
   report.cases[0].answers.push_back({known, Outcome::kCorrect, 0.5});
+  report.cases[0].answers.push_back({gone, Outcome::kMissed, std::nullopt});
   const Json data = data_of(report_page(report, 1));
   EXPECT_EQ(data["methods"][0]["spec"], "tdibm");
   EXPECT_EQ(data["methods"][1],
