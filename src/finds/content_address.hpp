@@ -9,9 +9,9 @@
 
 namespace ccdfuzz {
 
-/// The address of a query in a corpus: 32 hex digits, the hash (hash_name) of the JSON of a case
-/// that has nothing else. Equal on every machine. −0 and 0 differ but in t_max and separation: a
-/// method may take them apart. Requires finite numbers.
+/// The address of a query in a corpus: 32 hex digits. They are the 128-bit XXH3 hash of its
+/// patches, with the bits of all their numbers, its t_max and its separation. Equal on every
+/// machine. −0 and 0 differ but in t_max and separation: a method may take them apart.
 std::string content_address(const Query& query);
 
 /// How large a query is to a reader, first field first.
