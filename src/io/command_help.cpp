@@ -67,10 +67,17 @@ HelpCommand described(const CLI::App& app) {
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
   // The next thing to type comes last.
-  std::ranges::stable_sort(help.groups, {}, [](const auto& of_title) {
-    const std::string& title = of_title.first;
-    return title == "Arguments" ? 0 : title == "Limits" ? 2 : title == "Other" ? 3 : 1;
-  });
+  const auto titled = [&](const char* title) {
+    return std::ranges::find(help.groups, title, [](const auto& g) { return g.first; });
+  };
+  for (const char* last : {"Limits", "Other"}) {
+    if (const auto at = titled(last); at != help.groups.end()) {
+      std::rotate(at, at + 1, help.groups.end());
+    }
+  }
+  if (const auto at = titled("Arguments"); at != help.groups.end()) {
+    std::rotate(help.groups.begin(), at, at + 1);
+  }
   return help;
 }
 
