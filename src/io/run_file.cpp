@@ -45,12 +45,14 @@ std::optional<std::string> RunHeader::difference(const RunHeader& other) const {
   std::map<std::string, std::string> theirs = parts_of(other);
   for (const auto& [name, value] : ours) {
     const auto found = theirs.find(name);
-    const std::string their_value = found == theirs.end() ? "none" : found->second;
-    if (their_value != value) return fmt::format("{} {} in place of {}", name, their_value, value);
+    if (found == theirs.end()) return fmt::format("no {} in place of {}", name, value);
+    if (found->second != value)
+      return fmt::format("{} {} in place of {}", name, found->second, value);
     theirs.erase(found);
   }
   if (theirs.empty()) return std::nullopt;
-  return fmt::format("{} {} in place of none", theirs.begin()->first, theirs.begin()->second);
+  return fmt::format("{} {}, which was not given here", theirs.begin()->first,
+                     theirs.begin()->second);
 }
 
 Result<RunLines> RunLines::open(const std::string& path) {

@@ -99,7 +99,8 @@ TEST_F(RunFileTest, RefusesTheFileOfAnotherRunAndNamesWhatDiffers) {
   EXPECT_NE(refusal(header_of(5)).find("items 4 in place of 5"), std::string::npos);
   RunHeader less = header_of();
   less.asked.clear();
-  EXPECT_NE(refusal(less).find("--seed 7 in place of none"), std::string::npos) << refusal(less);
+  EXPECT_NE(refusal(less).find("--seed 7, which was not given here"), std::string::npos)
+      << refusal(less);
   EXPECT_EQ(read_text(path_), before);
   for (const char* foreign : {"{}\n", "notes", "{\"format\":\"x\"}"}) {
     write_text(path_, foreign);
