@@ -168,7 +168,8 @@ void check_answer(Draw& d) {
 void check_doubles(Draw& d) {
   using certified::RoughContact;
   Query query = draw_touching_at_half(d, full_vector, false);
-  const Vec3<double> gap = d.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10}) * full_vector(d);
+  const double apart = d.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10});
+  const Vec3<double> gap = apart * full_vector(d);
   for (Vec3<double>& p : query.patches[0].positions) p += gap;
   const double length = d.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
   const double from = d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});

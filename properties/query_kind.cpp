@@ -93,8 +93,8 @@ void claim_judged_by_meaning(Draw& d, Case known) {
   Query& query = known.query;
   Witness& witness = *known.truth.witness;
   const std::size_t side = d.choose(1);
-  const Rational off =
-      static_cast<long>(d.integer(-4, 4)) * power_of_two(d.pick(std::array{-6, -20}));
+  const auto steps = static_cast<long>(d.integer(-4, 4));
+  const Rational off = steps * power_of_two(d.pick(std::array{-6, -20}));
   switch (d.choose(5)) {
     case 1:
       witness.t += off;
@@ -107,7 +107,8 @@ void claim_judged_by_meaning(Draw& d, Case known) {
       break;
     case 4: {
       const auto axis = static_cast<int>(d.choose(2));
-      const double by = std::ldexp(d.coin() ? 1.0 : -1.0, static_cast<int>(d.integer(-16, 8)));
+      const double sign = d.coin() ? 1.0 : -1.0;
+      const double by = std::ldexp(sign, static_cast<int>(d.integer(-16, 8)));
       for (Vec3<double>& p : query.patches[side].positions) p[axis] += by;
       break;
     }
