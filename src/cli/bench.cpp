@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "cli/session.hpp"
 #include "eval/race.hpp"
 #include "generators/generate.hpp"
+#include "hunt/ground.hpp"
 
 namespace ccdfuzz {
 
@@ -44,10 +44,10 @@ Result<std::vector<ContactClass>> parse_classes(const std::string& where, const 
 
 /// Throws BadInput: a class that has no queries of meshes, if those are asked for.
 std::vector<ContactClass> classes_of(const BenchOptions& options) {
-  const std::vector<ContactClass> all(kContactClasses.begin(), kContactClasses.end());
-  if (!options.linear) return options.classes.value_or(all);
-  const std::vector<ContactClass> of_meshes = {ContactClass::kVF, ContactClass::kEE,
-                                               ContactClass::kVE, ContactClass::kVV};
+  if (!options.linear) {
+    return options.classes.value_or(std::vector(kContactClasses.begin(), kContactClasses.end()));
+  }
+  const std::vector<ContactClass> of_meshes(kLinearClasses.begin(), kLinearClasses.end());
   const std::vector<ContactClass> classes = options.classes.value_or(of_meshes);
   for (const ContactClass contact : classes) {
     if (std::ranges::find(of_meshes, contact) != of_meshes.end()) continue;
@@ -55,14 +55,6 @@ std::vector<ContactClass> classes_of(const BenchOptions& options) {
                                              name_of(contact))}};
   }
   return classes;
-}
-
-/// The points, edges and triangles that a mesh query of the class is about.
-std::array<Shape, 2> linear_shapes(ContactClass contact) {
-  const Shape edge = Shape::curve(1);
-  if (contact == ContactClass::kVF) return {Shape::point(), Shape::triangle(1)};
-  if (contact == ContactClass::kEE) return {edge, edge};
-  return {Shape::point(), contact == ContactClass::kVE ? edge : Shape::point()};
 }
 
 /// The queries of one class: `count` positives up to t*, and as many negatives up to t* − 2^-20.
@@ -75,7 +67,7 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
       generator.kind = kind;
       if (options.linear) {
         generator.construction = Construction::kOneSided;
-        generator.shapes = linear_shapes(contact);
+        generator.shapes = shapes_of_class(contact);
       }
       if (!on_query(generate(generator, i).value.query)) return;
     }

@@ -160,8 +160,13 @@ tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
 }
 
 std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, const Case& known) {
-  std::vector<CheckedCase> forms = forms_of(checked_or_unknown(known));
-  forms.push_back(checked_or_unknown(known));  // a fuzzer may have left any t_max
+  const CheckedCase checked = checked_or_unknown(known);
+  std::vector<CheckedCase> forms = forms_of(checked);
+  const auto is_as_it_stands = [&](const CheckedCase& form) {
+    return form.query().t_max == known.query.t_max;
+  };
+  // A fuzzer may have left any t_max.
+  if (std::ranges::none_of(forms, is_as_it_stands)) forms.push_back(checked);
   for (const CheckedCase& asked : forms) {
     auto failure = asker_.failure(method, asked.value());
     if (failure) return Confirmed{asked.value(), *std::move(failure)};
