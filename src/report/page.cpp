@@ -11,7 +11,6 @@
 #include "io/in_order.hpp"
 #include "method/method.hpp"
 #include "report/case_details.hpp"
-#include "report/histogram.hpp"
 #include "report/pack.hpp"
 #include "report/report.hpp"
 #include "report/template.hpp"
@@ -54,26 +53,11 @@ Json methods_json(const std::vector<std::string>& methods) {
   return rows;
 }
 
-Json histogram_json(const Histogram& histogram) {
-  if (histogram.counts.empty()) return nullptr;
-  return {{"lo", histogram.lo}, {"width", histogram.width}, {"counts", histogram.counts}};
-}
-
-Json row_json(const Row& of) {
-  const auto& [key, tally] = of;
-  Json row = {{"class", key.contact}, {"kind", key.kind}, {"factor", nullptr}};
-  if (key.factor) row["factor"] = *key.factor;
-  row["method"] = key.method;
-  row.update(Json::parse(to_json(tally)));
-  if (tally.seconds.sum() > 0) {
-    constexpr double kAllButOutliers = 0.995;
-    row.update({{"seconds", tally.seconds.sum()},
-                {"median", tally.seconds.median()},
-                {"p99", tally.seconds.p99()},
-                {"log", histogram_json(log_bins(tally.seconds))},
-                {"linear", histogram_json(linear_bins(tally.seconds, kAllButOutliers))}});
-  }
-  return row;
+/// As rows.jsonl has it, and "times": [[bin of LogHistogram, count], …] of the seconds.
+Json row_json(const Row& row) {
+  Json json = Json::parse(to_json(row));
+  if (row.tally.seconds.sum() > 0) json["times"] = row.tally.seconds.bins();
+  return json;
 }
 
 /// The paper's Table 2 for the report's methods, on classes that hold no linear queries.
@@ -148,7 +132,6 @@ std::string report_page(const ReportPage& report, int threads) {
                       {"columns", table.table.titles()},
                       {"rows", table.table.texts()}});
   }
-  const Histogram curvature = log_bins(report.curvatures);
   const Json data = {{"format", "ccdfuzz-report"},
                      {"version", 1},
                      {"title", report.title},
@@ -158,7 +141,7 @@ std::string report_page(const ReportPage& report, int threads) {
                      {"paper", paper_json(report.rows, methods)},
                      {"tables", tables},
                      {"course", course_json(report.course)},
-                     {"curvature", histogram_json(curvature)},
+                     {"curvature", report.curvatures.bins()},
                      {"cases", rows},
                      {"cases_left_out", report.cases_left_out},
                      {"cases_per_chunk", kCasesPerChunk}};

@@ -41,12 +41,11 @@ SHOWN = 40  # lines of a row's difference
 # What differs between runs, machines or versions, named here alone. All else is pinned, to the byte.
 UNPINNED_NAMES = '|'.join([
     r'\w*seconds', r'\w*_ms',                 # times, in JSON and CSV
-    'median', 'p99',                          # of a report's page
     'ccdfuzz',                                # the version
     'tree_bytes', 'offset', 'length', 'xxh3'  # where a compressed tree is: zstd's version
 ])
 UNPINNED_FIELD = rf'"(?:{UNPINNED_NAMES})": ?(?:"[^"]*"|[-+.\w]+)'
-HISTOGRAM = r',"(?:log|linear)":\{[^}]*\}'  # of times, in a report's page
+HISTOGRAM = r',"times":\[[][\d,-]*\]'  # in a report's page
 SYNTAX = '(?<=syntax error) while parsing .*?(?=; JSON is accepted|$)'  # in the words of the JSON library
 UNPINNED_TEXT = re.compile(rf',{UNPINNED_FIELD}|{UNPINNED_FIELD},?|{HISTOGRAM}|(?<=ccdfuzz) \d+\.\d+\.\d+|{SYNTAX}',
                            re.M)

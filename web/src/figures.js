@@ -17,22 +17,21 @@ export function summed(list, keys) {
   for (const group of list) {
     const key = keys.map((k) => group[k]).join('\u0000');
     if (!found.has(key)) {
-      const row = { seconds: null, log: [], linear: [] };
+      const row = { seconds: null, times: [] };
       for (const k of keys) row[k] = group[k];
       for (const k of counts) row[k] = 0;
       found.set(key, row);
     }
     const row = found.get(key);
     for (const k of counts) row[k] += group[k];
-    if (group.seconds !== undefined) row.seconds = (row.seconds ?? 0) + group.seconds;
-    if (group.log) row.log.push(group.log);
-    if (group.linear) row.linear.push(group.linear);
+    if (group.times) row.seconds = (row.seconds ?? 0) + group.mean_seconds * group.n;
+    row.times.push(...(group.times ?? []));
   }
   return [...found.values()];
 }
 
 /** The answers at the contact itself, and those to negatives, as the paper asks. */
-export const asInThePaper = groups.filter((g) => g.factor === null || g.factor === 1);
+export const asInThePaper = groups.filter((g) => g.t_max_factor === null || g.t_max_factor === 1);
 
 export const legend = (list) => h('div.legend', list.map((m) => h('span', { title: m }, h('i', { style: `background:${colourOf(m)}` }), shortName(m))));
 
@@ -99,29 +98,26 @@ export function fig8() {
   return out;
 }
 
-/** Histograms of several groups in one, by the bins' places. */
-function added(histograms) {
-  if (histograms.length === 0) return [];
-  const width = Math.max(...histograms.map((g) => g.width));
+// The report counts samples in bins of a 32nd of an octave; a quarter of an octave is drawn.
+const kBinsPerOctave = 32, kFineInCoarse = 8;
+
+/** Counts [[bin, count], …] in bins of equal width on a decimal logarithmic scale. */
+function logBins(samples) {
+  const width = (kFineInCoarse / kBinsPerOctave) * Math.log10(2);
   const counts = new Map();
-  for (const g of histograms) {
-    g.counts.forEach((count, bin) => {
-      const middle = g.lo + (bin + 0.5) * g.width;
-      const place = Math.floor(middle / width + 1e-9);
-      counts.set(place, (counts.get(place) ?? 0) + count);
-    });
+  for (const [bin, count] of samples) {
+    const place = Math.floor(bin / kFineInCoarse);
+    counts.set(place, (counts.get(place) ?? 0) + count);
   }
-  return [...counts].map(([place, count]) => ({ x1: place * width, x2: (place + 1) * width, count })).filter((b) => b.count > 0);
+  return [...counts].map(([place, count]) => ({ x1: place * width, x2: (place + 1) * width, count }));
 }
 
-/** The same in at most `bins` bins from 0 to what `share` of the samples do not exceed; the last one
- * holds those past it, too. */
-function rebinned(histograms, bins, share) {
-  const fine = histograms.flatMap((g) => g.counts.map((count, bin) => ({ at: g.lo + (bin + 0.5) * g.width, count })))
-    .filter((b) => b.count > 0).sort((a, b) => a.at - b.at);
+/** The same in `bins` bins from 0 to what `share` of the samples do not exceed; the last one holds
+ * those past it, too. */
+function linearBins(samples, bins, share) {
+  const fine = samples.map(([bin, count]) => ({ at: 2 ** ((bin + 0.5) / kBinsPerOctave), count })).sort((a, b) => a.at - b.at);
   let left = share * fine.reduce((sum, b) => sum + b.count, 0);
-  const most = fine.find((b) => (left -= b.count) <= 0)?.at ?? fine.at(-1)?.at;
-  const width = most / bins;
+  const width = fine.find((b) => (left -= b.count) <= 0).at / bins;
   const counts = new Array(bins).fill(0);
   for (const b of fine) counts[Math.min(bins - 1, Math.floor(b.at / width))] += b.count;
   return counts.map((count, bin) => ({ x1: bin * width, x2: (bin + 1) * width, count })).filter((b) => b.count > 0);
@@ -129,12 +125,12 @@ function rebinned(histograms, bins, share) {
 
 /** Distributions of the times, linear with a logarithmic inset (Fig. 9). */
 export function fig9() {
-  const rows = summed(asInThePaper, ['method']).filter((r) => r.log.length > 0);
+  const rows = summed(asInThePaper, ['method']).filter((r) => r.times.length > 0);
   if (rows.length === 0) return [];
   const data = [];
   const panels = rows.map((row) => {
-    const linear = rebinned(row.linear, 40, 0.97).map((b) => ({ ...b, x1: 1000 * b.x1, x2: 1000 * b.x2 }));
-    const log = added(row.log);
+    const linear = linearBins(row.times, 40, 0.97).map((b) => ({ ...b, x1: 1000 * b.x1, x2: 1000 * b.x2 }));
+    const log = logBins(row.times);
     const add = (scale, bins, ms) => data.push(...bins.map((b) => ({ method: row.method, scale, from_ms: ms(b.x1), to_ms: ms(b.x2), count: b.count })));
     add('linear', linear, (x) => x);
     add('log', log, (x) => 1000 * 10 ** x);
@@ -159,9 +155,8 @@ export function fig9() {
 
 /** RMS curvatures at the contacts (Fig. 5), if the report has them. */
 export function fig5() {
-  const curvature = report.curvature;
-  if (!curvature?.counts?.length) return [];
-  const bins = added([curvature]).map((b) => ({ ...b, x1: 10 ** b.x1, x2: 10 ** b.x2 }));
+  if (!report.curvature?.length) return [];
+  const bins = logBins(report.curvature).map((b) => ({ ...b, x1: 10 ** b.x1, x2: 10 ** b.x2 }));
   const plot = Plot.plot({
     style: { fontSize: '12px' }, width: 620, height: 240, marginLeft: 52,
     x: { type: 'log', label: 'RMS curvature at the contact →', ticks: 6, tickFormat: (v) => (Math.abs(Math.log10(v) % 1) < 1e-9 ? scientific(v, 1) : '') }, y: { label: '↑ patches', grid: true },

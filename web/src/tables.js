@@ -20,7 +20,7 @@ function card(id, title, note, head, body, rows) {
 
 /** Scenario × (t, FP, FN) × methods, as Tables 1 and 2 are laid out. */
 function performance(id, title, note, list, rowsOf) {
-  const timed = list.some((g) => g.seconds > 0);
+  const timed = list.some((g) => g.seconds !== null);
   const columns = methods.filter((m) => list.some((g) => g.method === m));
   const blocks = [...(timed ? [['t (ms)', (r) => milliseconds(r), () => false]] : []),
     ['FP', (r) => share(r?.false_positive, r?.negatives), (r) => r?.false_positive > 0],
@@ -47,9 +47,9 @@ function plain({ id, title, columns, rows }) {
 
 /** What everything above is summed up from. */
 function everyGroup() {
-  const timed = report.groups.some((g) => g.seconds > 0);
-  const columns = ['class', 'kind', 'factor', 'method', 'n', 'positives', 'negatives', ...kCounts,
-    ...(timed ? ['seconds', 'median', 'p99'] : [])];
+  const timed = report.groups.some((g) => g.times);
+  const columns = ['class', 'kinds', 't_max_factor', 'method', 'n', 'positives', 'negatives', ...kCounts,
+    ...(timed ? ['mean_seconds', 'median_seconds', 'p99_seconds'] : [])];
   return { id: 'groups', title: 'Answers by class, kind, multiple of the contact’s time and method', columns,
     rows: report.groups.map((g) => columns.map((c) => g[c])) };
 }
@@ -63,14 +63,14 @@ export function allTables() {
       byClass, kClasses.map((c) => ({ name: kNames[c] ?? c, pick: (m) => byClass.find((r) => r.class === c && r.method === m) }))));
     const halves = [['RP+RN', ['RP', 'RN']], ['NHP+NMN', ['NHP', 'NMN']]];
     const rows = halves.flatMap(([name, kinds]) => {
-      const half = summed(asInThePaper.filter((g) => kinds.includes(g.kind)), ['class', 'method']);
+      const half = summed(asInThePaper.filter((g) => kinds.includes(g.kinds)), ['class', 'method']);
       return kClasses.filter((c) => half.some((r) => r.class === c)).map((c) => ({ name: `${c} (${name})`, pick: (m) => half.find((r) => r.class === c && r.method === m) }));
     });
     if (rows.length > 0) out.push(performance('table-2', 'Table 2. Regular and near-hit cases apart', null, byClass, rows));
   }
-  const factors = [...new Set((report.groups ?? []).map((g) => g.factor))].filter((f) => f !== null && f !== 1);
+  const factors = [...new Set((report.groups ?? []).map((g) => g.t_max_factor))].filter((f) => f !== null && f !== 1);
   for (const factor of factors) {
-    const list = summed(report.groups.filter((g) => g.factor === factor), ['class', 'method']);
+    const list = summed(report.groups.filter((g) => g.t_max_factor === factor), ['class', 'method']);
     out.push(performance(`horizon-${factor}`, `Asked up to ${factor} times the contact`, 'Past the contact, answers that are late show.',
       list, kClasses.map((c) => ({ name: kNames[c] ?? c, pick: (m) => list.find((r) => r.class === c && r.method === m) }))));
   }
