@@ -4,7 +4,6 @@
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -117,10 +116,10 @@ void check_eps_tau(Draw& d) {
 }
 
 /// Every step of Eq. 10 rounds by as much as it may. A slope just above a power of two, and an
-/// intercept just below one, get a part of their last bit more.
+/// intercept just below one, get a part of their last bit more, most often about half of it.
 Crossing draw_rounded_crossing(Draw& d) {
   const auto part_of = [&](double bit) {
-    return bit * std::ldexp(static_cast<double>(d.integer(1, 255)), -8);
+    return bit * (0.5 + std::ldexp(static_cast<double>(d.integer(-127, 127)), -8));
   };
   const int bits = static_cast<int>(d.integer(9, 48));
   const double slope = 1 + std::ldexp(static_cast<double>(d.choose(255)), -bits);

@@ -54,6 +54,15 @@ Vec3<double> full_vector(Draw& choices) {
   return {full_number(choices), full_number(choices), full_number(choices)};
 }
 
+/// What is there at 0 is there at t.
+void begin_before(Query& query, double t) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] -= t * patch.velocities[i];
+    }
+  }
+}
+
 /// A point and a triangle, or two edges, with numbers of full doubles, that graze each other. A
 /// corner of one crosses the plane of the other on an edge, except for rounding, and its motion
 /// across that edge is 0 there. So the last bits decide whether they touch. The corner stays on one
@@ -90,11 +99,7 @@ Query draw_grazing(Draw& choices) {
   for (Vec3<double>& v : b.velocities) v += change;
 
   const double t = choices.pick(std::array{0.5, 0.75, 1.0, 1 - 0x1p-20});
-  for (MovingPatch<double>& patch : query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] -= t * patch.velocities[i];
-    }
-  }
+  begin_before(query, t);
   query.t_max = 1;
   return query;
 }
@@ -164,13 +169,19 @@ void check_answer(Draw& d) {
 }
 
 /// The window may end or begin at the contact, to the last double. Corners may pass each other, as
-/// often inside as outside.
+/// often inside as outside. The faster they are, the more often they are in one plane in it.
 void check_doubles(Draw& d) {
   using certified::RoughContact;
   Query query = draw_touching_at_half(d, full_vector, false);
   const double apart = d.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10});
   const Vec3<double> gap = apart * full_vector(d);
   for (Vec3<double>& p : query.patches[0].positions) p += gap;
+  const double speed = d.pick(std::array{1.0, 8.0, 64.0});
+  begin_before(query, -0.5);
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& v : patch.velocities) v *= speed;
+  }
+  begin_before(query, 0.5);
   const double length = d.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
   const double from = d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
   query.t_max = from + length * d.pick(std::array{1.0, 2.0});

@@ -11,7 +11,6 @@
 #include "method/setting.hpp"
 #include "method/taken_query.hpp"
 #include "properties/planted_bodies.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -133,26 +132,22 @@ void check_windings(Draw& d) {
 /// too many, or of another face.
 void check_forged_faces(Draw& d) {
   const Case known = draw_mesh(d, CaseKind::kRP);
-  MeshClearance clear = std::get<MeshClearance>(*known.truth.clearance);
-  CLAIM(check_mesh_clearance(known.query, clear).has_value());
-  suppose(clear.until == known.truth.witness->t);  // not where that is irrational
+  const auto& clear = std::get<MeshClearance>(*known.truth.clearance);
+  const auto is_refused = [&](const MeshClearance& forged) {
+    return !check_clearance(known.query, forged, "");
+  };
+  CLAIM(!is_refused(clear));
   const size_t n = d.below(clear.normals.size());
-  switch (d.below(4)) {
-    case 0:
-      clear.until += power_of_two(-static_cast<long>(d.integer(0, 100)));
-      break;
-    case 1:
-      clear.closed = true;
-      break;
-    case 2:
-      clear.normals.push_back(clear.normals[n]);
-      break;
-    default:
-      clear.normals.erase(clear.normals.begin() + static_cast<long>(n));
-      clear.until = 0;
-      clear.closed = true;
-  }
-  CLAIM(!check_clearance(known.query, clear, ""));
+  MeshClearance late = clear, closed = clear, more = clear, fewer = {0, clear.normals, true};
+  more.normals.push_back(clear.normals[n]);
+  fewer.normals.erase(fewer.normals.begin() + static_cast<long>(n));
+  late.until += power_of_two(-static_cast<long>(d.integer(0, 100)));
+  closed.closed = true;
+  CLAIM(is_refused(more));
+  CLAIM(is_refused(fewer));
+  suppose(clear.until == known.truth.witness->t);  // not where that is irrational
+  CLAIM(is_refused(late));
+  CLAIM(is_refused(closed));
 }
 
 /// A planted graze of a mesh whose last face is passed through later.

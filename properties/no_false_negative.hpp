@@ -37,7 +37,8 @@ DrawCase contacts_in(const ContactRange& range);
 /// A contact of the ordinary, the tiny or the many-bit range. The time step may be 2^30 times as
 /// long as the contact needs.
 Case draw_sized_contact(Draw& draw);
-/// An ordinary contact after a drawn change of coordinates that keeps it.
+/// An ordinary contact after drawn changes of coordinates that keep it, each of them in one of
+/// four.
 Case draw_transformed(Draw& draw);
 
 /// Checks of that claim on drawn contacts.

@@ -95,7 +95,9 @@ void claim_judged_by_meaning(Draw& d, Case known) {
   const std::size_t side = d.choose(1);
   const auto steps = static_cast<long>(d.integer(-4, 4));
   const Rational off = steps * power_of_two(d.pick(std::array{-6, -20}));
-  switch (d.choose(5)) {
+  switch (d.choose(6)) {
+    case 0:
+      break;
     case 1:
       witness.t += off;
       break;
@@ -112,11 +114,8 @@ void claim_judged_by_meaning(Draw& d, Case known) {
       for (Vec3<double>& p : query.patches[side].positions) p[axis] += by;
       break;
     }
-    case 5:
-      query.separation = std::nextafter(query.separation, d.coin() ? HUGE_VAL : 0);
-      break;
     default:
-      break;
+      query.separation = std::nextafter(query.separation, d.coin() ? HUGE_VAL : 0);
   }
   suppose(is_valid(query));
   show(d, "judged", known);

@@ -13,7 +13,7 @@ std::vector<Property> tdibm_e_claims() {
        "Section 4.6", misses_nothing("tdibm-e")},
       {"tdibm-e.trace", kDropsNothing, "Section 4.6", keeps_contacts("tdibm-e")},
       {"tdibm-e.contact_transformed",
-       "No contact is lost after any change of coordinates that keeps it, where nothing underflows",
+       "No contact is lost after any changes of coordinates that keep it, where nothing underflows",
        "Section 4.6", misses_nothing("tdibm-e", draw_transformed)},
       {"tdibm-e.no_false_negative_underflow",
        "No proven contact is missed, and none reported late, for coordinates about 2^-535",

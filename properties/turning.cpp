@@ -9,7 +9,6 @@
 #include "certify/oracle/turned_points.hpp"
 #include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -104,8 +103,9 @@ std::array<Rational, 2> heights_at(const Query& query, const Vec3<Rational>& nor
   return heights;
 }
 
-/// A plane that touches the bodies at both of its ends is accepted only if they are on their sides
-/// of it in between. Its normal is about the shortest way from body 1 to body 2 at first.
+/// A plane that touches a body at both of its ends is accepted only if both bodies are on their
+/// sides of it in between. Often it touches the other one, too. Its normal is about the shortest
+/// way from body 1 to body 2 at first.
 void check_planes_between(Draw& d) {
   const Query query = draw_turning(d, CaseKind::kRP).query;
   constexpr int kSteps = 64;
@@ -132,6 +132,8 @@ void check_planes_between(Draw& d) {
   const std::array ends = {heights_at(query, normal, plane.from), heights_at(query, normal, until)};
   const bool touches_first = d.coin();
   plane.gap = kept + power_of_two(-20) * largest;
+  const Rational room = std::min<Rational>(ends[0][1] - ends[0][0], ends[1][1] - ends[1][0]);
+  if (d.coin()) plane.gap = std::max(plane.gap, room);
   for (size_t end = 0; end < 2; ++end) {
     plane.offsets[end] = touches_first ? ends[end][0] : Rational(ends[end][1] - plane.gap);
   }
