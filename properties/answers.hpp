@@ -7,7 +7,6 @@
 
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

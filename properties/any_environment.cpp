@@ -27,7 +27,6 @@
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
 #include "properties/no_false_negative.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -11,7 +11,6 @@
 #include "io/json_write.hpp"
 #include "numeric/bounded_int.hpp"
 #include "numeric/wide_int.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

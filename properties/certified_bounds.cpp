@@ -5,11 +5,12 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
+#include "ccd/certified/kernels.hpp"
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/projection.hpp"
+#include "ccd/certified/window_trim.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -154,40 +155,57 @@ void check_normalised(Draw& d) {
   CLAIM(magnitude - lost <= Dyadic::exact(out.magnitude));
 }
 
-/// Control points of magnitude at most 1, the positions and velocities of a net; a few components
-/// are of subnormal numbers throughout.
-std::vector<std::array<double, 6>> draw_controls(Draw& choices, const Shape& shape) {
-  std::vector<std::array<double, 6>> controls(static_cast<std::size_t>(shape.control_count()));
-  for (std::size_t k = 0; k < 6; ++k) {
-    constexpr std::uint64_t kFew = 3;
-    const bool is_subnormal = choices.choose(kFew) == kFew;
-    for (auto& control : controls) {
-      const Dyadic x = is_subnormal ? choices.dyadic(8, -1074) : choices.dyadic(53, -53);
-      control[k] = *x.to_double_exactly();
+/// A cell of a net, plain or rational. Control points are of magnitude at most 1; a few components
+/// are of subnormal numbers throughout. Exponents of weights differ by up to kWeightBits.
+struct DrawnCell {
+  Shape shape;
+  std::vector<std::array<double, 6>> controls;
+  std::vector<double> weights;
+  certified::CellTree tree;
+  certified::CellTree::Node node = 0;
+  Cell cell;
+
+  DrawnCell(Draw& d, bool is_rational) : shape(draw_shape(d, is_rational ? 3 : 4)) {
+    const auto count = static_cast<std::size_t>(shape.control_count());
+    controls.resize(count);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const bool is_subnormal = d.choose(3) == 3;
+      for (auto& control : controls) {
+        control[k] = *(is_subnormal ? d.dyadic(8, -1074) : d.dyadic(53, -53)).to_double_exactly();
+      }
     }
+    if (is_rational) {
+      for (std::size_t i = 0; i < count; ++i) weights.push_back(draw_weight(d));
+      weights[d.below(count)] = 1;
+    }
+    tree.reset(shape, controls, weights);
+    for (auto levels = d.choose(6); levels > 0; --levels) {
+      const auto which = d.choose(static_cast<std::uint64_t>(shape.child_count() - 1));
+      node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
+    }
+    cell = tree.cell(node);
+    show(d, "shape", shape);
+    show(d, "cell", cell);
+    show(d, "controls", controls);
+    show(d, "weights", weights);
   }
-  return controls;
-}
+
+  static double draw_weight(Draw& d) {
+    const int exponent = d.coin() ? 0 : -static_cast<int>(d.integer(0, kWeightBits));
+    return std::ldexp(1 + *abs(d.dyadic(30, -31)).to_double_exactly(), exponent);
+  }
+  int roundings() const { return tree.roundings(tree.depth(node)); }
+  /// Each argument of each blossom is one (src/ccd/certified/DERIVATION.md, 2).
+  int averages() const { return (shape.n + shape.m) * tree.depth(node); }
+};
 
 void check_sub_patches(Draw& d) {
-  const Shape shape = draw_shape(d, 3);
-  const auto controls = draw_controls(d, shape);
-  certified::CellTree tree;
-  tree.reset(shape, controls);
-  certified::CellTree::Node node = 0;
-  for (auto levels = d.choose(6); levels > 0; --levels) {
-    const auto which = d.choose(static_cast<std::uint64_t>(shape.child_count() - 1));
-    node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
-  }
-  const int depth = tree.depth(node), roundings = tree.roundings(depth);
-  const Cell cell = tree.cell(node);
-  show(d, "shape", shape);
-  show(d, "cell", cell);
+  const DrawnCell drawn(d, false);
+  const auto& controls = drawn.controls;
+  const int roundings = drawn.roundings();
   show(d, "roundings", roundings);
-  show(d, "controls", controls);
-  // An average for each argument of each blossom (src/ccd/certified/DERIVATION.md, 2).
-  CLAIM(roundings >= (shape.n + shape.m) * depth);
-  const auto corners = exact_corners<Dyadic>(cell.corners(shape));
+  CLAIM(roundings >= drawn.averages());
+  const auto corners = exact_corners<Dyadic>(drawn.cell.corners(drawn.shape));
   const Dyadic underflow = Dyadic(roundings) * least_double().scaled(-1);
   for (std::size_t part = 0; part < 2; ++part) {
     Points<Dyadic> whole(controls.size()), exact(controls.size());
@@ -198,17 +216,70 @@ void check_sub_patches(Draw& d) {
         most[c] = std::max(most[c], abs(whole[i][c]));
       }
     }
-    restrict_to<Dyadic>(shape, whole, corners, exact);
+    restrict_to<Dyadic>(drawn.shape, whole, corners, exact);
     for (std::size_t i = 0; i < controls.size(); ++i) {
       show(d, part == 0 ? "position" : "velocity", i);
       for (int c = 0; c < 3; ++c) {
-        const double made =
-            tree.net(node)[i * certified::kPerPoint + 4 * part + static_cast<std::size_t>(c)];
-        const Dyadic error = abs(Dyadic::exact(made) - exact[i][c]);
-        CLAIM(error <= within_roundings(roundings) * most[c] + underflow);
+        const std::size_t place = i * certified::kPerPoint + 4 * part + static_cast<std::size_t>(c);
+        const Dyadic made = Dyadic::exact(drawn.tree.net(drawn.node)[place]);
+        CLAIM(abs(made - exact[i][c]) <= within_roundings(roundings) * most[c] + underflow);
       }
     }
   }
+}
+
+/// Control points of rational cells at a time, and their heights on an axis, are off by the
+/// roundings that tdibm-c counts at most.
+void check_rational_cells(Draw& d) {
+  const DrawnCell drawn(d, true);
+  const auto& [shape, controls, weights, tree, node, cell] = drawn;
+  suppose(shape.kind != ShapeKind::kPoint);
+  const double t = *abs(d.dyadic(53, -53)).to_double_exactly();
+  MovingPatch<Rational> whole{shape, {}, {}};
+  Rational largest_p = 0, largest_v = 0;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    const auto& c = controls[i];
+    whole.positions.push_back({exact(c[0]), exact(c[1]), exact(c[2])});
+    whole.velocities.push_back({exact(c[3]), exact(c[4]), exact(c[5])});
+    whole.weights.push_back(exact(weights[i]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      largest_p = std::max(largest_p, Rational(abs(exact(c[k]))));
+      largest_v = std::max(largest_v, Rational(abs(exact(c[k + 3]))));
+    }
+  }
+  const MovingPatch<Rational> part =
+      restrict_to<Rational>(whole, exact_corners<Rational>(cell.corners(shape)));
+  const Points<Rational> at = part.at(exact(t));
+  std::vector<double> snapshot(certified::kPerPoint * controls.size());
+  certified::take_snapshot(tree.net(node), tree.count(), 0, t, snapshot.data());
+  const int roundings = drawn.roundings();
+  show(d, "t", t);
+  CLAIM(roundings == 2 * drawn.averages() + 2);
+  const auto within = [&](int count) -> Rational {
+    const Rational relative = exact(std::ldexp(count, -53)) * (1 + power_of_two(-20));
+    return relative * (largest_p + largest_v) + power_of_two(-1001);
+  };
+  // One more of the product with t, and one of the sum.
+  const Rational allowed = within(roundings + 2);
+  certified::Axis axis;
+  for (double& x : axis) x = *d.dyadic(53, -53).to_double_exactly();
+  const certified::NetPair pair = {{tree.net(node), tree.net(node)}, {tree.count(), tree.count()}};
+  const certified::HeightLines lines(pair, axis);
+  Rational highest, lowest, norm;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    Rational height = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto place = certified::kPerPoint * i + 4 + static_cast<std::size_t>(k);
+      CLAIM(abs(exact(snapshot[place]) - at[i][k]) <= allowed);
+      height += exact(axis[static_cast<std::size_t>(k)]) * at[i][k];
+    }
+    highest = i == 0 ? height : std::max(highest, height);
+    lowest = i == 0 ? height : std::min(lowest, height);
+    CLAIM(snapshot[certified::kPerPoint * i + 7] == 0);
+  }
+  for (const double x : axis) norm += exact(std::abs(x));
+  const Rational off = abs(exact(lines.gap(0, t).height) - (highest - lowest));
+  CLAIM(off <= 2 * within(roundings + 8) * norm + power_of_two(-1000));
 }
 
 void check_derived_bound(Draw& d) {
@@ -260,6 +331,9 @@ std::vector<Property> certified_bounds_claims() {
       {"tdibm-c.sub_patches",
        "Control points of cells are off by at most the roundings that are counted",
        "src/ccd/certified/DERIVATION.md, 2", check_sub_patches},
+      {"tdibm-c.cells_weighted",
+       "Control points of cells of rational patches are off by the roundings counted at most",
+       "src/ccd/certified/DERIVATION.md, 9", check_rational_cells},
       {"tdibm-c.error_bound", "The error bound E is at least the derived one",
        "src/ccd/certified/DERIVATION.md, 3", check_derived_bound},
   };

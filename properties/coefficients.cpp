@@ -6,7 +6,6 @@
 #include "numeric/exact_scalars.hpp"
 #include "numeric/products.hpp"
 #include "properties/error_bound.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

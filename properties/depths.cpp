@@ -6,7 +6,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/draw_linear.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -10,7 +10,6 @@
 #include "ccd/rational/gap.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/exact_lines.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 // What tdibm-rational is compared with: slow, and as close to the definitions as can be.

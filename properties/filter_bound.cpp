@@ -4,7 +4,6 @@
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_gaps.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -15,7 +15,6 @@
 #include "generators/shaped/features.hpp"
 #include "generators/static_contact.hpp"
 #include "numeric/products.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -4,10 +4,8 @@
 #include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
-#include "ccd/certified/cell_tree.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/shaped/features.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -77,38 +75,6 @@ void check_children_cover(Draw& d) {
   CLAIM(is_in_a_child == contains(cell, shape, uv));
 }
 
-/// The midpoint splits of tdibm-c and the blossoms of the others agree, where both are exact.
-void check_cell_tree(Draw& d) {
-  const Shape shape = draw_shape(d, kGeometryDegree);
-  const Points<Dyadic> points = draw_points(d, shape, 10, 0);
-  std::vector<std::array<double, 6>> controls;
-  for (const Vec3<Dyadic>& p : points) {
-    std::array<double, 6> c{};
-    for (int k = 0; k < 3; ++k) c[static_cast<std::size_t>(k)] = *p[k].to_double_exactly();
-    controls.push_back(c);
-  }
-  certified::CellTree tree;
-  tree.reset(shape, controls);
-  certified::CellTree::Node node = 0;
-  // 10 bits and a bit a degree and level fit 53.
-  for (std::int64_t depth = d.integer(0, 4); depth > 0; --depth) {
-    node = tree.children(node) + static_cast<certified::CellTree::Node>(
-                                     d.choose(static_cast<std::uint64_t>(shape.child_count()) - 1));
-  }
-  Points<Dyadic> part(points.size());
-  restrict_to<Dyadic>(shape, points, exact_corners<Dyadic>(tree.cell(node).corners(shape)), part);
-  show(d, "shape", shape);
-  show(d, "cell", tree.cell(node));
-  show(d, "points", points);
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    show(d, "control point", i);
-    for (int k = 0; k < 3; ++k) {
-      const double x = tree.net(node)[certified::kPerPoint * static_cast<int>(i) + k];
-      CLAIM(Dyadic::exact(x) == part[i][k]);
-    }
-  }
-}
-
 void check_sub_patch(Draw& d) {
   constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
   const Shape shape = draw_shape(d, kDegree);
@@ -137,9 +103,6 @@ std::vector<Property> geometry_claims() {
        check_elevation},
       {"cell.children_cover", "The children of a cell cover it, and nothing else", "Appendix A (a)",
        check_children_cover},
-      {"cell.trees_agree",
-       "Repeated midpoint splits give the control points of the blossom at the cell's corners",
-       "src/ccd/certified/DERIVATION.md", check_cell_tree},
       {"sub_patch.is_the_restriction", "The sub-patch over a cell equals the patch there, exactly",
        "Appendix A (b)", check_sub_patch},
   };

@@ -5,7 +5,6 @@
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "properties/planted_bodies.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

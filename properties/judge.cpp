@@ -9,7 +9,6 @@
 #include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "method/plugin/plugin_terms.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,6 @@
 #include "certify/linear/first_contact.hpp"
 #include "files/case_json.hpp"
 #include "properties/draw_linear.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -5,7 +5,6 @@
 #include "certify/oracle/decide_bodies.hpp"
 #include "numeric/products.hpp"
 #include "properties/answers.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 #include "properties/suites.hpp"
 

@@ -8,7 +8,6 @@
 #include "properties/against_oracle.hpp"
 #include "properties/answers.hpp"
 #include "properties/no_false_negative.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

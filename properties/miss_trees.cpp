@@ -5,7 +5,6 @@
 #include "certify/checker/miss_tree.hpp"
 #include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

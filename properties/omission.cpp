@@ -2,7 +2,6 @@
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -6,7 +6,6 @@
 #include "generators/draw_contact.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

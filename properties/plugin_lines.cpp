@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "method/plugin/line_protocol.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,6 @@
 #include "certify/checker/nonnegative.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/shaped/features.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

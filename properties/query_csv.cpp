@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -6,7 +6,6 @@
 #include "ccd/rational/tdibm_rational.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/exact_gaps.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -7,7 +7,6 @@
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/exact_gaps.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

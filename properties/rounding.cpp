@@ -1,7 +1,6 @@
 #include "ccd/next_double.hpp"
 #include "ccd/robustness.hpp"
 #include "properties/error_bound.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

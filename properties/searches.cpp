@@ -8,7 +8,6 @@
 #include "properties/answers.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/no_false_negative.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 #include "properties/symmetry.hpp"
 

@@ -12,6 +12,7 @@
 #include "base/hex_bytes.hpp"
 #include "generators/draw/draw.hpp"
 #include "numeric/rational.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 

@@ -10,7 +10,6 @@
 #include "properties/case_file.hpp"
 #include "properties/draw_trimmed.hpp"
 #include "properties/draw_weighted.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,6 @@
 
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

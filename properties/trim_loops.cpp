@@ -3,7 +3,7 @@
 
 #include "bezier/trim.hpp"
 #include "numeric/rational.hpp"
-#include "properties/property.hpp"
+#include "properties/draw_trimmed.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -27,7 +27,7 @@ Loop draw_loop(Draw& d, std::size_t vertices) {
 
 Places exact_loop(const Loop& loop) {
   Places places;
-  for (const Uv<double>& p : loop) places.push_back({exact(p[0]), exact(p[1])});
+  for (const Uv<double>& p : loop) places.push_back(exact_place(p));
   return places;
 }
 

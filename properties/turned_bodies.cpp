@@ -10,7 +10,6 @@
 #include "generators/turning.hpp"
 #include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

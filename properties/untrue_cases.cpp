@@ -4,7 +4,6 @@
 #include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
-#include "properties/property.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

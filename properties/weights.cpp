@@ -1,12 +1,5 @@
 #include <cmath>
 
-#include "bezier/bernstein.hpp"
-#include "bezier/exact_patch.hpp"
-#include "bezier/restrict.hpp"
-#include "ccd/certified/cell_tree.hpp"
-#include "ccd/certified/kernels.hpp"
-#include "ccd/certified/normalise.hpp"
-#include "ccd/certified/window_trim.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -161,100 +154,6 @@ void check_clearances(Draw& d) {
   CLAIM(!check_tree(drawn.query, t, tree));
 }
 
-/// Controls of a net, and weights whose exponents differ by up to kWeightBits.
-struct WeightedNet {
-  Shape shape;
-  std::vector<std::array<double, 6>> controls;
-  std::vector<double> weights;
-};
-
-WeightedNet draw_net(Draw& d) {
-  WeightedNet net;
-  net.shape = draw_shape(d, 3);
-  suppose(net.shape.kind != ShapeKind::kPoint);
-  const auto count = static_cast<std::size_t>(net.shape.control_count());
-  const bool is_subnormal = d.choose(7) == 7;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& control = net.controls.emplace_back();
-    for (double& x : control) {
-      x = *(is_subnormal ? d.dyadic(8, -1074) : d.dyadic(53, -53)).to_double_exactly();
-    }
-    const int exponent = d.coin() ? 0 : -static_cast<int>(d.integer(0, kWeightBits));
-    net.weights.push_back(
-        std::ldexp(1 + std::abs(d.dyadic(30, -31).to_double_exactly().value()), exponent));
-  }
-  net.weights[d.below(count)] = 1;
-  return net;
-}
-
-/// Control points of cells at a time, and their heights on an axis, are off by the roundings that
-/// tdibm-c counts at most.
-void check_cells(Draw& d) {
-  const WeightedNet net = draw_net(d);
-  certified::CellTree tree;
-  tree.reset(net.shape, net.controls, net.weights);
-  certified::CellTree::Node node = 0;
-  for (auto levels = d.choose(6); levels > 0; --levels) {
-    const auto which = d.choose(static_cast<std::uint64_t>(net.shape.child_count() - 1));
-    node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
-  }
-  const double t = *abs(d.dyadic(53, -53)).to_double_exactly();
-  MovingPatch<Rational> whole{net.shape, {}, {}};
-  Rational largest_p = 0, largest_v = 0;
-  for (std::size_t i = 0; i < net.controls.size(); ++i) {
-    const auto& c = net.controls[i];
-    whole.positions.push_back({exact(c[0]), exact(c[1]), exact(c[2])});
-    whole.velocities.push_back({exact(c[3]), exact(c[4]), exact(c[5])});
-    whole.weights.push_back(exact(net.weights[i]));
-    for (std::size_t k = 0; k < 3; ++k) {
-      largest_p = std::max(largest_p, Rational(abs(exact(c[k]))));
-      largest_v = std::max(largest_v, Rational(abs(exact(c[k + 3]))));
-    }
-  }
-  const Cell cell = tree.cell(node);
-  const MovingPatch<Rational> part =
-      restrict_to<Rational>(whole, exact_corners<Rational>(cell.corners(net.shape)));
-  const Points<Rational> at = part.at(exact(t));
-  std::vector<double> snapshot(certified::kPerPoint * net.controls.size());
-  certified::take_snapshot(tree.net(node), tree.count(), 0, t, snapshot.data());
-  const int roundings = tree.roundings(tree.depth(node));
-  show(d, "shape", net.shape);
-  show(d, "cell", cell);
-  show(d, "t", t);
-  show(d, "controls", net.controls);
-  show(d, "weights", net.weights);
-  const int averages = (net.shape.n + net.shape.m) * tree.depth(node);
-  CLAIM(roundings == 2 * averages + 2);
-  // One more of the product with t, and one of the sum.
-  const Rational relative = exact(std::ldexp(roundings + 2, -53)) * (1 + power_of_two(-20));
-  const Rational allowed = relative * (largest_p + largest_v) + power_of_two(-1001);
-  certified::Axis axis;
-  for (double& x : axis) x = *d.dyadic(53, -53).to_double_exactly();
-  const certified::NetPair pair = {{tree.net(node), tree.net(node)}, {tree.count(), tree.count()}};
-  const certified::HeightLines lines(pair, axis);
-  Rational highest, lowest;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    Rational height = 0;
-    for (int k = 0; k < 3; ++k) {
-      const auto place = certified::kPerPoint * i + 4 + static_cast<std::size_t>(k);
-      CLAIM(abs(exact(snapshot[place]) - at[i][k]) <= allowed);
-      height += exact(axis[static_cast<std::size_t>(k)]) * at[i][k];
-    }
-    highest = i == 0 ? height : std::max(highest, height);
-    lowest = i == 0 ? height : std::min(lowest, height);
-    CLAIM(snapshot[certified::kPerPoint * i + 7] == 0);
-  }
-  const Rational norm =
-      exact(std::abs(axis[0])) + exact(std::abs(axis[1])) + exact(std::abs(axis[2]));
-  const Rational of_heights = 2 *
-                                  (exact(std::ldexp(roundings + 8, -53)) * (1 + power_of_two(-20)) *
-                                       (largest_p + largest_v) +
-                                   power_of_two(-1001)) *
-                                  norm +
-                              power_of_two(-1000);
-  CLAIM(abs(exact(lines.gap(0, t).height) - (highest - lowest)) <= of_heights);
-}
-
 }  // namespace
 
 std::vector<Property> weights_claims() {
@@ -277,9 +176,6 @@ std::vector<Property> weights_claims() {
        kChecker, check_clearances},
       {"weights.not_early", "A hit on rational patches is no earlier than its boxes explain",
        kCertified, check_not_early},
-      {"tdibm-c.cells_weighted",
-       "Control points of cells of rational patches are off by the roundings counted at most",
-       kCertified, check_cells},
   };
   add_claims_of(claims, {"weights",
                          "weighted",
