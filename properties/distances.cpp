@@ -18,14 +18,6 @@ namespace ccdfuzz {
 
 namespace {
 
-Case case_of(const FirstContact& drawn) {
-  Case out;
-  out.query = drawn.query;
-  out.truth.collides = true;
-  out.truth.witness = drawn.witness;
-  return out;
-}
-
 Case draw_case_apart(Draw& d) {
   return case_of(supposed(draw_first_contact(d, true)));
 }

@@ -29,6 +29,14 @@ double extent(const MovingPatch<double>& patch, int k, double t) {
 
 }  // namespace
 
+Case case_of(const FirstContact& drawn) {
+  Case out;
+  out.query = drawn.query;
+  out.truth.collides = true;
+  out.truth.witness = drawn.witness;
+  return out;
+}
+
 Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   const ContactClass contact = choices.pick(kContactClasses);
   // Coarse boxes are no good for flat patches.

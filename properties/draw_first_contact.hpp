@@ -19,6 +19,9 @@ struct FirstContact {
   double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
 };
 
+/// The query with its first contact.
+Case case_of(const FirstContact& drawn);
+
 /// apart: patch 1 is moved away along the normal, so that the patches come no nearer than a
 /// distance, which is the query's separation, rounded up.
 Result<FirstContact> draw_first_contact(Draw& choices, bool apart = false);

@@ -48,10 +48,7 @@ Contact draw_weighted_contact(Draw& choices) {
 FirstContact draw_weighted_first_contact(Draw& choices, Query* plain) {
   FirstContact drawn = supposed(draw_first_contact(choices));
   if (plain != nullptr) *plain = drawn.query;
-  Case known;
-  known.query = drawn.query;
-  known.truth.witness = drawn.witness;
-  Contact q = supposed(contact_of(known));
+  Contact q = supposed(contact_of(case_of(drawn)));
   for (std::size_t s = 0; s < 2; ++s) {
     const std::size_t count = q.query.patches[s].positions.size();
     suppose(pull_by_weights(q, static_cast<int>(s), draw_exponents(choices, count, 1)));

@@ -4,6 +4,7 @@
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/checker/miss_tree.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
@@ -63,9 +64,15 @@ Rational draw_late(Draw& choices, const Rational& contact) {
   return contact + abs(choices.dyadic(8, static_cast<long>(choices.integer(-60, 2)))).rational();
 }
 
-/// A tree that is another with some of its bytes changed, or any bytes.
+/// A tree that is another with some of its bytes changed, or says that a whole patch is outside of
+/// its trim, or any bytes.
 std::string draw_tree(Draw& choices, const std::string& model) {
   constexpr std::size_t kLongest = 400;
+  if (choices.choose(7) == 7) {
+    TreeBits bits;
+    bits.outside(choices.coin() ? 1 : 0);
+    return bits.bytes();
+  }
   if (model.empty() || choices.choose(3) == 0) return choices.text(kLongest);
   std::string tree = model;
   for (std::uint64_t left = choices.choose(3); left > 0; --left) {

@@ -1,7 +1,6 @@
 #include "properties/symmetry.hpp"
 
 #include "bezier/exact_patch.hpp"
-#include "bezier/restrict.hpp"
 #include "fuzz/mutator/reshape.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
@@ -69,14 +68,6 @@ std::optional<Case> changed(Case value, const Change& change) {
 }
 
 }  // namespace
-
-std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell) {
-  const MovingPatch<Dyadic> part =
-      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
-  const auto positions = to_doubles(part.positions), velocities = to_doubles(part.velocities);
-  if (!positions || !velocities) return std::nullopt;
-  return MovingPatch<double>{patch.shape, *positions, *velocities};
-}
 
 std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choices) {
   Case out = value;

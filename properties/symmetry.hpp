@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "base/enum_names.hpp"
-#include "bezier/cell.hpp"
 #include "case/case.hpp"
 #include "generators/draw/draw.hpp"
 
@@ -29,9 +28,6 @@ constexpr std::array<std::string_view, 11> names_of(Symmetry) {
           "translate",    "common_velocity",    "reverse_time", "elevate", "part"};
 }
 inline constexpr auto kSymmetries = all_of(Symmetry{});
-
-/// The sub-patch over a cell, exactly; nothing if a number of it is not a double.
-std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell);
 
 /// The case after a drawn change of this kind, its truth being the witness alone. Nothing if some
 /// number of it is not a double then. Requires a witness with dyadic parameters.

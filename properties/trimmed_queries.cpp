@@ -8,7 +8,6 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "certify/checker/miss_tree.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -132,16 +131,6 @@ void check_trim_hole(Draw& d) {
   CLAIM(!check_tree(filled, exact(whole.t_max), tree));
 }
 
-/// A leaf "outside" is refused where a cell of the contact counts, whatever the side.
-void check_trim_outside_leaf(Draw& d) {
-  const Case known = draw_trimmed_contact(d);
-  TreeBits bits;
-  const int side = static_cast<int>(d.choose(1));
-  bits.outside(side);
-  show(d, "contact", known);
-  CLAIM(!check_tree(known.query, Rational(0), bits.bytes()));
-}
-
 /// A contact box of whole patches, one of which is a surface: its side and its radius there.
 struct DrawnBox {
   Query query;
@@ -253,8 +242,6 @@ std::vector<Property> trimmed_queries_claims() {
        kCertified, check_trim_linear},
       {"trims.hole", "A contact in a hole is none, by a proof that is none of the whole patch",
        kChecker, check_trim_hole},
-      {"checker.refuses_wrong_outsides", "No whole patch is outside of its trim", kChecker,
-       check_trim_outside_leaf},
       {"checker.refuses_boxes_outside", "No box that leaves a trim holds a contact", kChecker,
        check_trim_boxes},
       {"mutator.keeps_trims", "Changed loops are valid, and the contact is in their region",
