@@ -147,6 +147,9 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   }
   resolved = fs::weakly_canonical(resolved, ignored);
   file.target_ = ignored || resolved.empty() ? path : resolved.string();
+  if (fs::exists(status) && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
+    return system_error(path, "write", errno);  // to replace it, the folder alone would be asked
+  }
   const std::string folder = folder_of(file.target_);
   do {
     file.temporary_ = folder + "/" + new_temporary_name();

@@ -19,8 +19,8 @@ bool is_stream(const std::string& path);
 /// A file that appears complete or not at all. It is written under a temporary name in the same
 /// folder, flushed to the disk and renamed over its path by commit(). Until then, and for ever if
 /// commit is never reached, the file at the path stays. A device, a pipe and the standard output
-/// (as /dev/stdout) are written directly. Errors: what the system says, naming the path; "-", which
-/// others take for stdout.
+/// (as /dev/stdout) are written directly. Errors: what the system says, naming the path, also of a
+/// file at it that may not be written; "-", which others take for stdout.
 class OutputFile {
  public:
   static Result<OutputFile> create(const std::string& path);
