@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -46,6 +47,22 @@ void print_shown_lines(const std::string& text, std::string first_margin, const 
 int complain(const std::string& message, int code, const std::string& command = "") {
   print_shown_lines(message, command.empty() ? "ccdfuzz: " : "ccdfuzz: " + command + ": ", "  ");
   return code;
+}
+
+int complain_of_ourselves(const std::exception& error) {
+  return complain(fmt::format("internal error: {}", error.what()), kInternal);
+}
+
+/// A thread that is not ours may throw, as TBB's do where the system starts no more of them.
+[[noreturn]] void end_on_uncaught() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::exception& error) {
+    complain_of_ourselves(error);
+  } catch (...) {
+  }
+  remove_unfinished_files();
+  ::_exit(kInternal);
 }
 
 /// Names the option of the command whose path the error is about, if there is one. The path is the
@@ -222,9 +239,8 @@ Option Command::threads() {
 
 Option Command::plugin_names() {
   return add_text("--plugin NAME=SPEC",
-                  "Load this plug-in. Options, files and output name it plugin:NAME. Several with "
-                  "commas "
-                  "between",
+                  "Load this plug-in. Options, files and output name it plugin:NAME. Several "
+                  "with commas between",
                   "",
                   [](const std::string& where, const std::string& text) -> Result<void> {
                     for (const std::string& item : texts_between(text)) {
@@ -335,10 +351,11 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) typed += (i > 0 ? " " : "") + shell_word(argv[i]);
   occupy_standard_descriptors();
   end_on_signals();
+  std::set_terminate(end_on_uncaught);
   try {
     return parse_and_run_chosen(argc, argv);
   } catch (const std::exception& error) {
-    return complain(fmt::format("internal error: {}", error.what()), kInternal);
+    return complain_of_ourselves(error);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/auxv.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -122,9 +123,7 @@ Result<std::string> find_program(const char* name, const char* variable) {
   if (const char* own = std::getenv(variable)) {
     places.emplace_back(own);
   } else {
-    std::error_code error;
-    const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    if (!error) places.push_back(self.parent_path() / name);
+    places.push_back(fs::path(this_program()).parent_path() / name);
     places.push_back(fmt::format("{}/{}", CCDFUZZ_PROGRAMS_BUILT_AT, name));
     places.push_back(fmt::format("{}/{}", CCDFUZZ_PROGRAMS_INSTALLED_AT, name));
   }
@@ -133,6 +132,14 @@ Result<std::string> find_program(const char* name, const char* variable) {
   }
   return input_error(name, fmt::format("the program is not there; looked for {}; {} may name it",
                                        fmt::join(places, ", "), variable));
+}
+
+std::string this_program() {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path self = fs::read_symlink("/proc/self/exe", none);
+  if (!none) return self.string();
+  return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), none).string();
 }
 
 Result<std::string> find_worker_program() {

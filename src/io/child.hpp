@@ -97,6 +97,9 @@ class Child {
   std::size_t printed_bytes_ = 0;    ///< since the last question
 };
 
+/// The path of the program that this process runs, also where /proc is missing.
+std::string this_program();
+
 /// A program that ccdfuzz comes with: $VARIABLE, or `name` beside this program, or where it was
 /// built or installed. Errors: none of them is there.
 Result<std::string> find_program(const char* name, const char* variable);

@@ -10,7 +10,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <new>
 
 #include <fmt/format.h>
@@ -93,10 +92,8 @@ void serve_by_this_program() {
 
 Result<ChildProgram> served_child(const std::vector<std::string>& arguments,
                                   const ChildLimits& limits) {
-  std::error_code none;
   CCDFUZZ_TRY(const std::string program,
-              this_program_serves ? std::filesystem::read_symlink("/proc/self/exe", none).string()
-                                  : find_program("ccdfuzz", "CCDFUZZ_PROGRAM"));
+              this_program_serves ? this_program() : find_program("ccdfuzz", "CCDFUZZ_PROGRAM"));
   ChildProgram child{{"run", program, "serve"}, limits};
   if (limits.cpu_seconds > 0) {
     child.command.insert(child.command.end(),
