@@ -56,13 +56,12 @@ std::vector<std::string> default_methods() {
           "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
 }
 
-Option add_methods(Command& command, std::vector<std::string>& methods,
-                   const std::string& description) {
-  command.plugin_names();
-  return command
-      .parsed("--methods LIST", methods, description, &parse_methods,
-              fmt::format("{}", fmt::join(methods, ",")))
-      .in("Methods");
+std::vector<Option> add_methods(Command& command, std::vector<std::string>& methods,
+                                const std::string& description) {
+  Option plugins = command.plugin_names();
+  Option asked = command.parsed("--methods LIST", methods, description, &parse_methods,
+                                fmt::format("{}", fmt::join(methods, ",")));
+  return {plugins, asked.in("Methods")};
 }
 
 std::string marked(const std::string& method) {

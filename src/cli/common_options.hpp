@@ -46,9 +46,9 @@ using NotAllowed = std::map<std::string, std::uint64_t>;
 /// "3 expectations of plug-ins not run: allow them with --allow-plugins A,B". Requires not empty.
 std::string to_text(const NotAllowed& left_out);
 
-/// --methods, and --plugin: of these the command asks, in this order.
-Option add_methods(Command& command, std::vector<std::string>& methods,
-                   const std::string& description);
+/// --plugin, and --methods: of these the command asks, in this order.
+std::vector<Option> add_methods(Command& command, std::vector<std::string>& methods,
+                                const std::string& description);
 
 /// The method as tables show it: " *" follows where it claims to have no false negative.
 std::string marked(const std::string& method);

@@ -319,7 +319,10 @@ void add_triage(CommandLine& line) {
   Option target = command.text("--target NAME", options->target,
                                "The inputs are those of this other target, whose claims fail on "
                                "them; they go to `claims` in the folder");
-  target.excludes(add_methods(command, options->methods, "Methods to run, separated by commas"));
+  for (const Option& asked :
+       add_methods(command, options->methods, "Methods to run, separated by commas")) {
+    target.excludes(asked);
+  }
   command.group("Results");
   command.text("-o,--output FOLDER", options->output, "Where to store counterexamples");
   command.text(
