@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <set>
+#include <map>
 #include <variant>
 
 #include "certify/linear/first_contact.hpp"
@@ -119,22 +119,32 @@ std::string test_path(const std::string& folder, const NamedCase& named, std::st
                      has_line ? "-" + named.id.substr(colon + 1) : "", ending);
 }
 
-std::string export_engine_tests(const ExportOptions& options, const EngineTemplate& engine) {
+/// How many cases are left out, as the engine has no test of them. Nothing is written before all
+/// cases are read.
+std::uint64_t export_engine_tests(const ExportOptions& options, const EngineTemplate& engine,
+                                  Session& session) {
   const bool is_folder = options.output.ends_with('/');
-  if (is_folder) need(make_folder(options.output));
-  std::set<std::string> paths;
+  std::map<std::string, std::string> tests;  // by path
+  std::uint64_t left_out = 0;
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    const Result<std::string> text = engine_test(named, engine.engine);
+    if (!text) {
+      print_err(fmt::format("ccdfuzz: export: {}; it is left out\n", text.error().message()));
+      ++left_out;
+      return {};
+    }
     const std::string path =
         is_folder ? test_path(options.output, named, engine.ending) : options.output;
-    if (!paths.insert(path).second) {
-      return input_error(named.id, is_folder ? path + " is the test of a case before it"
-                                             : "a file has one test; -o FOLDER/ takes several");
-    }
-    return engine_test(named, engine.engine).and_then([&](const std::string& text) {
-      return write_file(path, text);
-    });
+    if (tests.emplace(path, *text).second) return {};
+    return input_error(named.id, is_folder ? path + " is the test of a case before it"
+                                           : "a file has one test; -o FOLDER/ takes several");
   }));
-  return counted(paths.size(), "test", "tests");
+  if (is_folder && !tests.empty()) need(make_folder(options.output));
+  for (const auto& [path, text] : tests) need(write_file(path, text));
+  std::string summary = counted(tests.size(), "test", "tests");
+  if (left_out > 0) summary += "; left out: " + counted(left_out, "case", "cases");
+  session.summary(summary);
+  return left_out;
 }
 
 int run_export(const ExportOptions& options, Session& session) {
@@ -150,9 +160,10 @@ int run_export(const ExportOptions& options, Session& session) {
   leave_stdout_to(options.output);
   const auto* engine = std::get_if<EngineTemplate>(&options.as);
   const auto* framework = std::get_if<TestFramework>(&options.as);
-  session.summary(engine != nullptr      ? export_engine_tests(options, *engine)
-                  : framework != nullptr ? export_tests(options, *framework)
-                                         : export_csv(options));
+  if (engine != nullptr) {
+    return export_engine_tests(options, *engine, session) == 0 ? kDone : kBadInput;
+  }
+  session.summary(framework != nullptr ? export_tests(options, *framework) : export_csv(options));
   return kDone;
 }
 
