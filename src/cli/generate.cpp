@@ -174,12 +174,13 @@ int run_generate(const GenerateOptions& options, Session& session) {
   Target target =
       open_target(options, {"generate", CCDFUZZ_VERSION, {}, session.asked, plan.count, shard});
   const std::uint64_t made = target.before + make_all(plan, shard, target, session);
+  if (session.interrupted() && !target.run) {
+    return session.end_unwritten("generate", made, plan.unit, options.path());
+  }
   if (session.interrupted()) {
-    print_err(fmt::format("ccdfuzz: generate: interrupted after {} {}{}\n", made, plan.unit,
-                          target.run ? "; the same command goes on from there"
-                          : is_stream(options.path())
-                              ? ""
-                              : "; " + options.output + " was not written"));
+    print_err(fmt::format(
+        "ccdfuzz: generate: interrupted after {} {}; the same command goes on from there\n", made,
+        plan.unit));
     return session.exit_code(kDone);
   }
   if (!target.set) {

@@ -84,7 +84,9 @@ int run_prove(const ProveOptions& options, Session& session) {
         need(destination.write(std::move(completed.value), completed.tree));
       });
   session.end_table(true);
-  if (session.interrupted()) return interrupted_exit_code();
+  if (session.interrupted()) {
+    return session.end_unwritten("prove", cases, "cases", options.output);
+  }
   need(destination.finish());
   std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),
                                     counted(counts["hit"], "hit", "hits"),

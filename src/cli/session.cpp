@@ -19,6 +19,13 @@ ResumedRun resumed_run(const RunHeader& header, const std::string& output, const
   return {std::move(file), {need(RunLines::open(path)), before}};
 }
 
+int Session::end_unwritten(const char* command, std::uint64_t done, const char* unit,
+                           const std::string& path) const {
+  print_err(fmt::format("ccdfuzz: {}: interrupted after {} {}{}\n", command, done, unit,
+                        is_stream(path) ? "" : "; " + path + " was not written"));
+  return interrupted_exit_code();
+}
+
 void Session::end_table(bool text_follows) {
   progress_.clear();
   if (!table_) return;

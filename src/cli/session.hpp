@@ -111,6 +111,10 @@ class Session {
   /// The exit code of the command: `code`, or that of the signal.
   int exit_code(int code) const { return interrupted() ? interrupted_exit_code() : code; }
 
+  /// Says on stderr what a signal left undone; the exit code.
+  int end_unwritten(const char* command, std::uint64_t done, const char* unit,
+                    const std::string& path) const;
+
   Progress& progress() { return progress_; }
 
  private:

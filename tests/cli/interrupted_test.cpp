@@ -97,6 +97,20 @@ TEST(Interrupted, AnEvaluationOfAFileSaysSo) {
   EXPECT_THAT(stopped.err, HasSubstr("interrupted after"));
 }
 
+TEST(Interrupted, WhatReadsCasesSaysThatItWroteNone) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", set = folder / "set.jsonl";
+  write_text(csv, many_queries(50'000));
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"import", "--round"}, {"prove"}}) {
+    const Finished stopped = interrupted(with(command, {csv, "-o", set}));
+    EXPECT_EQ(stopped.code, 128 + SIGINT);
+    EXPECT_THAT(stopped.err, HasSubstr("interrupted after"));
+    EXPECT_THAT(stopped.err, HasSubstr("set.jsonl was not written"));
+    EXPECT_EQ(folder.entry_count(), 1U);
+  }
+}
+
 TEST(Interrupted, AReportOfAnEvaluationShowsWhatItRead) {
   const ScratchFolder folder;
   const std::string csv = folder / "vertex-face.csv", run = folder / "run", page = folder / "page";
