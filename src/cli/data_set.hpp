@@ -4,9 +4,11 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
+#include "eval/generation_cost.hpp"
 #include "files/case_files.hpp"
 #include "files/tree_file.hpp"
 
@@ -37,11 +39,12 @@ class DataSetWriter {
     return cases_.write(value);
   }
 
-  /// As CaseWriter::complete.
-  Result<void> complete() { return cases_.complete(); }
-  /// Must come last; until then neither file is there. Says on stderr what a stream left out.
-  Result<void> finish() {
-    CCDFUZZ_TRY_VOID(complete());
+  /// Must come last; until then none of the files is there. costs: what the cases took to make.
+  /// Without, or without trees, none stay that an older file had. Says on stderr what a stream left
+  /// out.
+  Result<void> finish(const std::vector<GenerationCost>& costs = {}) {
+    CCDFUZZ_TRY_VOID(cases_.complete());
+    if (!costs.empty()) CCDFUZZ_TRY_VOID(write_costs(path_, costs));
     CCDFUZZ_TRY_VOID(trees_.finish());
     CCDFUZZ_TRY_VOID(cases_.finish());
     if (left_out_ > 0) {
@@ -50,7 +53,9 @@ class DataSetWriter {
           counted(left_out_, "proof by a tree of separating axes is",
                   "proofs by trees of separating axes are")));
     }
-    return is_streamed_ || trees_.has_any() ? Result<void>() : remove_old_trees(path_);
+    if (is_streamed_) return {};
+    if (costs.empty()) CCDFUZZ_TRY_VOID(remove_beside(path_, kCostsEnding));
+    return trees_.has_any() ? Result<void>() : remove_beside(path_, kTreesEnding);
   }
 
  private:

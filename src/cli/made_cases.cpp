@@ -27,9 +27,7 @@ Result<void> MadeSet::add(MadeCases made) {
 }
 
 Result<void> MadeSet::finish() {
-  return writer_.complete().and_then([&] { return write_costs(path_, costs_); }).and_then([&] {
-    return writer_.finish();
-  });
+  return writer_.finish(costs_);
 }
 
 void MadeSet::show(Session& session, const std::string& of) const {

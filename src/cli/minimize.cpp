@@ -3,6 +3,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "eval/generation_cost.hpp"
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
@@ -55,7 +56,8 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
   const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
   if (!options.output.empty()) {
     need(write_file(options.output, text));
-    if (!is_streamed && !had_tree) need(remove_old_trees(options.output));
+    if (!is_streamed && !had_tree) need(remove_beside(options.output, kTreesEnding));
+    if (!is_streamed) need(remove_beside(options.output, kCostsEnding));
     return;
   }
   if (!json) print_out(text);

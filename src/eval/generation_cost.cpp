@@ -33,7 +33,7 @@ GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
 }
 
 std::string costs_path(const std::string& case_path) {
-  return path_beside(case_path, ".generation.jsonl");
+  return path_beside(case_path, kCostsEnding);
 }
 
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths) {

@@ -34,6 +34,7 @@ struct GenerationCost {
   GenerationCost& operator+=(const GenerationCost& o);
 };
 
+inline constexpr const char* kCostsEnding = ".generation.jsonl";
 /// Where the costs of a case file are: beside it, since times differ from run to run and the
 /// cases do not. X.json → X.generation.jsonl, and so for .jsonl and .jsonl.zst. It stays:
 /// `evaluate` makes Table 4 of it.

@@ -53,7 +53,7 @@ std::string path_beside(const std::string& case_path, std::string_view ending) {
 }
 
 std::string trees_path(const std::string& case_path) {
-  return path_beside(case_path, ".trees.zst");
+  return path_beside(case_path, kTreesEnding);
 }
 
 Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
@@ -109,16 +109,16 @@ Result<void> carry_tree(Truth& truth, const std::string& trees, const std::strin
   return writer.finish();
 }
 
-Result<void> remove_old_trees(const std::string& case_path) {
+Result<void> remove_beside(const std::string& case_path, std::string_view ending) {
   std::error_code error;
-  for (const std::string_view ending : kCaseEndings) {
-    const std::string other = path_beside(case_path, ending);
+  for (const std::string_view of_cases : kCaseEndings) {
+    const std::string other = path_beside(case_path, of_cases);
     if (other != case_path && fs::exists(other, error)) return {};
   }
-  const std::string trees = trees_path(case_path);
-  if (fs::is_regular_file(trees, error)) fs::remove(trees, error);
+  const std::string old = path_beside(case_path, ending);
+  if (fs::is_regular_file(old, error)) fs::remove(old, error);
   if (error && error != std::errc::no_such_file_or_directory) {
-    return system_error(trees, "remove", error.value());
+    return system_error(old, "remove", error.value());
   }
   return {};
 }

@@ -13,6 +13,7 @@ namespace ccdfuzz {
 /// and .jsonl.zst. It is a sequence of zstd frames, one a tree; each case says which is its own.
 /// A tree's own format is certify/checker/miss_tree.hpp.
 
+inline constexpr const char* kTreesEnding = ".trees.zst";
 /// The file of trees of a case file.
 std::string trees_path(const std::string& case_path);
 /// The file beside a case file whose ending is another: X.json → X + ending.
@@ -39,10 +40,10 @@ void drop_tree(Truth& truth);
 /// and TreeWriter.
 Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path);
 
-/// For a case file that names no tree, in place of one that may have: removes the trees beside it.
-/// They stay if a case file of the same name and another ending is there. Errors: they cannot be
-/// removed, naming their file.
-Result<void> remove_old_trees(const std::string& case_path);
+/// For a case file that has no such file beside it, in place of one that may have had: removes the
+/// file of path_beside. It stays if a case file of the same name and another ending is there.
+/// Errors: it cannot be removed, naming it.
+Result<void> remove_beside(const std::string& case_path, std::string_view ending);
 
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
 class TreeWriter {
