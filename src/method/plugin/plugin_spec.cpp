@@ -67,6 +67,10 @@ Result<PluginSpec> parse_plugin_spec(const std::string& spec) {
   std::error_code error;
   if (!std::filesystem::exists(parsed.path, error)) return bad_spec(spec, "no such file");
   if (!std::filesystem::is_regular_file(parsed.path, error)) return bad_spec(spec, "is no file");
+  if (parsed.is_program && parsed.path.ends_with(".so")) {
+    return bad_spec(spec, fmt::format("is a library, not a program: {}{}", kPluginPrefix,
+                                      spec.substr(std::string(kPluginProgramPrefix).size())));
+  }
   if (parsed.path.find('/') == std::string::npos) parsed.path.insert(0, "./");
 
   for (size_t i = 2; i < parts.size(); ++i) {
