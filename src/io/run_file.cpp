@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "io/fields.hpp"
 #include "io/output_file.hpp"
 
@@ -29,6 +30,15 @@ std::map<std::string, std::string> parts_of(const RunHeader& header) {
   return parts;
 }
 
+/// Whether both say the same. Numbers of options may be spelled in several ways, but for whole
+/// ones.
+bool are_alike(const std::string& name, const std::string& value, const std::string& other) {
+  if (value == other || !name.starts_with("--")) return value == other;
+  if (parse_whole("", value) && parse_whole("", other)) return false;
+  const auto number = parse_number("", value), other_number = parse_number("", other);
+  return number && other_number && *number == *other_number;
+}
+
 std::string text_of(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.of);
 }
@@ -46,7 +56,7 @@ std::optional<std::string> RunHeader::difference(const RunHeader& other) const {
   for (const auto& [name, value] : ours) {
     const auto found = theirs.find(name);
     if (found == theirs.end()) return fmt::format("no {} in place of {}", name, value);
-    if (found->second != value)
+    if (!are_alike(name, value, found->second))
       return fmt::format("{} {} in place of {}", name, found->second, value);
     theirs.erase(found);
   }
