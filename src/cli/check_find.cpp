@@ -78,6 +78,13 @@ std::string claims_in(const std::string& corpus) {
   return fmt::format("{}/{}", corpus, kClaims);
 }
 
+bool is_claims_folder(const std::string& path) {
+  const auto plain = std::filesystem::path(path).lexically_normal();
+  std::error_code none;
+  return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims &&
+         !std::filesystem::exists(claims_in(path), none);
+}
+
 Result<ClaimFind> read_find(const std::string& path) {
   return read_file(path, kMostFindBytes).and_then([&](const std::string& json) {
     return from_json<ClaimFind>(json, path);

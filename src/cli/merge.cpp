@@ -83,12 +83,6 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   return kDone;
 }
 
-/// Whether a path is of a folder of inputs of claims itself, by its name (kClaims).
-bool is_claims_folder(const std::string& path) {
-  const fs::path plain = fs::path(path).lexically_normal();
-  return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims;
-}
-
 /// The counts of a merge of inputs of claims.
 struct MergedClaims {
   std::uint64_t entries = 0, taken = 0, now = 0;

@@ -145,8 +145,7 @@ class Replay {
     const bool of_methods = !options_.methods.empty() || options_.expect;
     if (!of_methods) replay_claims();
     session_.each_case<Replayed>(
-        CaseStream(claims_.total() > 0 ? need(list_entries(options_.corpus))
-                                       : need(corpus_files(options_.corpus))),
+        CaseStream(entries()),
         [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
         [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
@@ -157,10 +156,18 @@ class Replay {
   }
 
  private:
+  /// The files of cases. There must be some where there are no claims.
+  std::vector<std::string> entries() const {
+    if (claims_.total() == 0) return need(corpus_files(options_.corpus));
+    if (is_claims_folder(options_.corpus)) return {};
+    return need(list_entries(options_.corpus));
+  }
+
   /// Runs the property of each file of CORPUS/claims on its choices, in a child. Throws BadInput
   /// for a file that is no claim, or is of a property that is not known.
   void replay_claims() {
-    const std::string folder = claims_in(options_.corpus);
+    const std::string& corpus = options_.corpus;
+    const std::string folder = is_claims_folder(corpus) ? corpus : claims_in(corpus);
     if (!std::filesystem::is_directory(folder)) return;
     ServedClaims served(&catch_interrupts());
     for (const std::string& path : need(list_entries(folder))) {
@@ -339,7 +346,7 @@ void add_replay(CommandLine& line) {
       line.add<ReplayOptions>("replay", "Run a corpus as regression tests", run_replay);
   command.example("whether your code is mended",
                   "replay finds --methods plugin:./libmine.so --expect correct");
-  command.text("corpus", options->corpus, "Folder, or a file of cases");
+  command.text("corpus", options->corpus, "Folder, its `claims` alone, or a file of cases");
   add_methods(command, options->methods, "Methods to run, by default those that an entry names");
   command.allow_plugins();
   command.choice("--expect OUTCOME", options->expect,
