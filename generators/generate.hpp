@@ -82,11 +82,14 @@ constexpr bool is_of_a_mesh(Family family) {
 }
 /// Those of bodies whose first contact has no depth.
 constexpr bool is_grazing(Family family) {
-  return family >= Family::kBodiesGrazing;
+  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing ||
+         family == Family::kMeshGrazingOneSided || family == Family::kTurningGrazing ||
+         family == Family::kSpinningGrazing;
 }
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
-  return family == Family::kBodies || family >= Family::kTurning;
+  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||
+         is_of_a_mesh(family) || is_grazing(family);
 }
 template <Family kFirst, Family kLast>
 constexpr auto families_between() {
