@@ -149,6 +149,9 @@ class Hunt {
     return stop_ || met_ || (!options_.cases && watch_.seconds() >= options_.seconds);
   }
 
+  /// Whether a turn is to end before its end.
+  bool stops() const { return stop_ || is_in_vain(); }
+
   /// How many draws of a cell are bred of, of so many begun.
   std::uint64_t founders_of(std::uint64_t begun) const {
     if (options_.ground.uniform) return 0;
@@ -176,7 +179,7 @@ class Hunt {
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
     Method& method = asker.methods()[cell.method];
     for (const CheckedCase& asked : drawn) {
-      if (stop_) break;
+      if (stops()) break;
       const double begin = clock_of(method);
       const Judged judged = ask(method, asked, options_.search);
       const double used = clock_of(method) - begin;
@@ -212,14 +215,14 @@ class Hunt {
     auto& [breeder, draws, founded, waiting] = nurseries_[turn.cell];
     const Method& method = asker.methods()[cell.method];
     const double start = clock_of(method);
-    for (const std::uint64_t all = founders_of(turn.draw); founded < all && !stop_; ++founded) {
+    for (const std::uint64_t all = founders_of(turn.draw); founded < all && !stops(); ++founded) {
       for (const CheckedCase& asked : founder(turn.cell, founded)) {
         breeder.add(asked.value(), asker.tracers());
       }
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
     const auto goes_on = [&] {
-      return left-- > 0 && !stop_ && (options_.cases || clock_of(method) - start < kSlice);
+      return left-- > 0 && !stops() && (options_.cases || clock_of(method) - start < kSlice);
     };
     done.bred = !breeder.empty();
     while (done.bred && goes_on()) {

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <cstddef>
@@ -15,6 +16,12 @@ namespace ccdfuzz {
 
 /// Whether results reach a sink in the order of their items, or as they come.
 enum class Order { kOfItems, kNone };
+
+/// Whether work is in vain that runs in stream_in_order: next, sink, or the work on another item
+/// threw. It may poll this, and return anything.
+inline bool is_in_vain() {
+  return tbb::is_current_task_group_canceling();
+}
 
 /// Runs work(item) on `threads` threads for each item that next() returns, until it returns
 /// nothing. Sink gets the results one at a time, in the order of the items, on any number of

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace ccdfuzz {
@@ -58,6 +59,19 @@ TEST(RunInOrder, AnExceptionOfWorkOrSinkReachesTheCaller) {
       run_in_order<size_t>(
           100, 2, [](size_t i) { return i; }, [](size_t) { throw std::runtime_error("sink"); }),
       std::runtime_error);
+}
+
+TEST(RunInOrder, WorkHearsThatOtherWorkThrew) {
+  std::atomic<int> begun = 0;
+  const auto one_waits = [&](size_t i) {
+    if (++begun; i == 0) {
+      while (begun < 2) std::this_thread::yield();
+      throw std::runtime_error("zero");
+    }
+    while (!is_in_vain()) std::this_thread::yield();
+    return i;
+  };
+  EXPECT_THROW(run_in_order<size_t>(2, 2, one_waits, [](size_t) {}), std::runtime_error);
 }
 
 }  // namespace
