@@ -47,7 +47,7 @@ TEST(ReportCommand, OfQueryCsvsHasTable3AndNoRateOfTheirs) {
   succeeded(ccdfuzz({"evaluate", CCDFUZZ_SOURCE_DIR "/tests/golden/handmade/scene", "--methods",
                      "tdibm-c,tdibm", "--report", folder / "page"}));
   const nlohmann::json shown = page_data(folder / "page");
-  EXPECT_EQ(shown["groups"][0]["kind"], "linear");
+  EXPECT_EQ(shown["groups"][0]["kinds"], "linear");
   EXPECT_EQ(shown["tables"][0]["id"], "table-3");
   for (const nlohmann::json& row : shown["paper"]) {
     EXPECT_NE(row["class"], "VF") << "the paper's rate is of curved cases";
