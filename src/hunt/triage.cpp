@@ -167,11 +167,14 @@ std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, cons
   };
   // A fuzzer may have left any t_max.
   if (std::ranges::none_of(forms, is_as_it_stands)) forms.push_back(checked);
+  std::optional<Confirmed> best;
   for (const CheckedCase& asked : forms) {
     auto failure = asker_.failure(method, asked.value());
-    if (failure) return Confirmed{asked.value(), *std::move(failure)};
+    if (!failure || (best && failure->setting >= best->failure.setting)) continue;
+    best = Confirmed{asked.value(), *std::move(failure)};
+    if (best->failure.setting == Setting::kOrdinary) break;
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace ccdfuzz

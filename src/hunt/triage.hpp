@@ -91,6 +91,7 @@ class Triage {
                                  const std::string& method = "");
   /// TriageErrands::decide of a case without truth, or what it did instead.
   tl::expected<Case, Fault> with_truth(const Case& candidate);
+  /// The failure in the form whose setting convinces most; nothing if it fails in none.
   std::optional<Confirmed> confirm(const std::string& method, const Case& known);
   /// Shrinks and stores what shows a new failure. Nothing if there was no time for that.
   Result<std::optional<Case>> take_in(const Confirmed& confirmed);

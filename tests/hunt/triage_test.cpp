@@ -155,6 +155,17 @@ TEST_F(TriageIntoAStore, AsksAnInputAsItStandsToo) {
   EXPECT_GE(finds[0].value.query.t_max, limit);
 }
 
+// A miss of a contact at the end of the query says less than one of a contact before it.
+TEST_F(TriageIntoAStore, KeepsTheFormThatConvincesMost) {
+  TriageOptions options = quick_options();
+  options.methods = {"far:0"};
+  options.make = served_patiently;
+  Triage triage(store, options);
+  const std::vector<TriageFind> finds = triaged(triage, {raw_finds().front()});
+  ASSERT_EQ(finds.size(), 1U);
+  EXPECT_EQ(finds[0].failure.setting, Setting::kOrdinary);
+}
+
 TEST_F(TriageIntoAStore, FindsAnewWhatItCouldNotShrinkToTheEnd) {
   TriageOptions options = quick_options();
   options.methods = {kFails};
