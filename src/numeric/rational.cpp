@@ -25,6 +25,7 @@ Rational scaled(Rational x, long exponent) {
 
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;                        // 53
 constexpr long kMinExponent = std::numeric_limits<double>::min_exponent - kMantissaBits;  // -1074
+constexpr int kMaxExponent = std::numeric_limits<double>::max_exponent - kMantissaBits;   // 971
 
 /// Exponent e with 2^(e-1) ≤ |x| < 2^(e+1) for x ≠ 0: off by at most one from the true one.
 long rough_exponent(const Rational& x) {
@@ -42,10 +43,10 @@ struct Truncated {
   double up() const { return double_of(is_exact ? mantissa : mantissa + 1, exponent); }
 };
 
-/// Requires x > 0. Nothing past the range of a double.
-std::optional<Truncated> truncated(const Rational& x) {
+/// Requires x > 0. Past the range it is the largest double, and the next one is infinity.
+Truncated truncated(const Rational& x) {
   static const Rational most = exact(std::numeric_limits<double>::max());
-  if (x > most) return std::nullopt;
+  if (x > most) return {(std::int64_t{1} << kMantissaBits) - 1, kMaxExponent, false};
   // The quotient below keeps at least 53 bits, or all down to the smallest subnormal; a second look
   // truncates it to 53.
   long shift = std::max(rough_exponent(x) - kMantissaBits - 1, kMinExponent);
@@ -59,19 +60,7 @@ std::optional<Truncated> truncated(const Rational& x) {
     mpz_fdiv_q_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
     shift += extra;
   }
-  return Truncated{q.get_si(), static_cast<int>(shift), is_exact};
-}
-
-/// Largest double ≤ x for x > 0.
-double floor_positive(const Rational& x) {
-  const auto t = truncated(x);
-  return t ? t->down() : std::numeric_limits<double>::max();
-}
-
-/// Smallest double ≥ x for x > 0; +infinity past the range.
-double ceil_positive(const Rational& x) {
-  const auto t = truncated(x);
-  return t ? t->up() : std::numeric_limits<double>::infinity();
+  return {q.get_si(), static_cast<int>(shift), is_exact};
 }
 
 }  // namespace
@@ -89,20 +78,20 @@ Rational power_of_two(long exponent) {
 double round_down(const Rational& x) {
   const int s = sgn(x);
   if (s == 0) return 0.0;
-  return s > 0 ? floor_positive(x) : -ceil_positive(Rational(-x));
+  return s > 0 ? truncated(x).down() : -truncated(-x).up();
 }
 
 double round_up(const Rational& x) {
   const int s = sgn(x);
   if (s == 0) return 0.0;
-  return s > 0 ? ceil_positive(x) : -floor_positive(Rational(-x));
+  return s > 0 ? truncated(x).up() : -truncated(-x).down();
 }
 
 std::optional<double> to_double_exactly(const Rational& x) {
   if (sgn(x) == 0) return 0.0;
-  const auto t = truncated(abs(x));
-  if (!t || !t->is_exact) return std::nullopt;
-  return sgn(x) > 0 ? t->down() : -t->down();
+  const Truncated t = truncated(abs(x));
+  if (!t.is_exact) return std::nullopt;
+  return sgn(x) > 0 ? t.down() : -t.down();
 }
 
 bool is_dyadic(const Rational& x) {
