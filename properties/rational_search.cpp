@@ -168,10 +168,8 @@ void check_naive_search(Draw& d) {
   for (Vec3<double>& p : query.patches[1].positions) p[0] += apart;
   const SearchOptions options{.precision = 0x1p-3, .max_pops = 10};
   show(d, "query", query);
-  Search<NaiveTest> search;
-  NaiveTest naive;
   const Answer fast = TdibmRational().answer(query, options);
-  const Answer slow = search.run(query, options, naive);
+  const Answer slow = Search<NaiveTest>().answer(query, options);
   show(d, "toi", fast.toi);
   show(d, "naively", slow.toi);
   CLAIM(fast.verdict == slow.verdict);

@@ -28,19 +28,11 @@ std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
     case ShapeKind::kHull:
       refuse_hull();
     case ShapeKind::kPoint:
-      weights.push_back(S(1));
-      break;
-    case ShapeKind::kCurve: {
-      const S rest(S(1) - uv[0]);
-      for (int i = 0; i <= shape.n; ++i) {
-        weights.push_back(S(choose(shape.n, i)) * power(uv[0], i) * power(rest, shape.n - i));
-      }
-      break;
-    }
+    case ShapeKind::kCurve:
     case ShapeKind::kTriangle: {
       const S rest(S(S(1) - uv[0]) - uv[1]);
       for (int i = 0; i <= shape.n; ++i) {
-        for (int j = 0; j <= shape.n - i; ++j) {
+        for (int j = 0; j <= shape.last_column(i); ++j) {
           weights.push_back(S(choose(shape.n, i) * choose(shape.n - i, j)) * power(uv[0], i) *
                             power(uv[1], j) * power(rest, shape.n - i - j));
         }

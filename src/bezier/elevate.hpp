@@ -34,7 +34,7 @@ Elevated<S> elevated(const Shape& shape, const Points<S>& points, bool in_v = fa
   Elevated<S> out{to, Points<S>(static_cast<size_t>(to.control_count()), none), degree};
   const bool is_triangle = shape.kind == ShapeKind::kTriangle;
   for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= (is_triangle ? shape.n - i : shape.m); ++j) {
+    for (int j = 0; j <= shape.last_column(i); ++j) {
       const Vec3<S>& p = points[static_cast<size_t>(shape.index(i, j))];
       const auto give = [&](int to_i, int to_j, int weight) {
         Vec3<S>& sum = out.points[static_cast<size_t>(to.index(to_i, to_j))];

@@ -17,38 +17,18 @@ template <class S>
 void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
                  const std::array<Uv<S>, 3>& corners, std::span<Vec3<S>> out) {
   CCDFUZZ_ASSERT(static_cast<int>(out.size()) == shape.control_count());
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
+  const bool is_triangle = shape.kind == ShapeKind::kTriangle;
   // Control point (i, j) takes i arguments at the u end, j at the v end, the rest at the origin.
   std::array<Uv<S>, kMaxDegree> arguments;
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      out[0] = points[0];
-      return;
-    case ShapeKind::kCurve:
-      for (int i = 0; i <= shape.n; ++i) {
-        for (int s = 0; s < shape.n; ++s) arguments[s] = corners[s < i ? 1 : 0];
-        out[i] = blossom<S>(shape, points, arguments);
+  for (int i = 0; i <= shape.n; ++i) {
+    for (int j = 0; j <= shape.last_column(i); ++j) {
+      for (int s = 0; s < std::max(shape.n, shape.m); ++s) {
+        arguments[s] = is_triangle ? corners[corner_of_triangle(i, j, s)]
+                                   : Uv<S>{corners[s < i ? 1 : 0][0], corners[s < j ? 1 : 0][1]};
       }
-      return;
-    case ShapeKind::kTriangle:
-      for (int i = 0; i <= shape.n; ++i) {
-        for (int j = 0; j <= shape.n - i; ++j) {
-          for (int s = 0; s < shape.n; ++s) arguments[s] = corners[corner_of_triangle(i, j, s)];
-          out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
-        }
-      }
-      return;
-    case ShapeKind::kTensor:
-      for (int i = 0; i <= shape.n; ++i) {
-        for (int j = 0; j <= shape.m; ++j) {
-          for (int s = 0; s < std::max(shape.n, shape.m); ++s) {
-            arguments[s] = {corners[s < i ? 1 : 0][0], corners[s < j ? 1 : 0][1]};
-          }
-          out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
-        }
-      }
-      return;
-    case ShapeKind::kHull:
-      refuse_hull();
+      out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
+    }
   }
 }
 

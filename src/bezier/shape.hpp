@@ -59,6 +59,9 @@ struct Shape {
     return kind == ShapeKind::kTensor ? i * (m + 1) + j : i;
   }
 
+  /// Row i of control points is (i, 0) to (i, last_column(i)), 0 ≤ i ≤ n. Not of a hull.
+  constexpr int last_column(int i) const { return kind == ShapeKind::kTriangle ? n - i : m; }
+
   constexpr int parameter_count() const {
     const bool has_none = kind == ShapeKind::kPoint || kind == ShapeKind::kHull;
     return has_none ? 0 : kind == ShapeKind::kCurve ? 1 : 2;
@@ -104,6 +107,13 @@ struct Shape {
 
   friend constexpr bool operator==(const Shape&, const Shape&) = default;
 };
+
+/// Points, curves of degree 1 and triangles of degree 1, with at most two parameters in all. So:
+/// vertex-face and edge-edge, and what they degenerate to.
+constexpr bool is_linear_pair(const Shape& a, const Shape& b) {
+  const auto flat = [](const Shape& s) { return s.kind < ShapeKind::kTensor && s.n <= 1; };
+  return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
+}
 
 constexpr std::array<std::string_view, 5> names_of(ShapeKind) {
   return {"point", "curve", "triangle", "tensor", "hull"};

@@ -20,19 +20,13 @@ Vec3<double> unit(const Vec3<double>& v) {
   return {w[0] / norm, w[1] / norm, w[2] / norm};
 }
 
-Vec3<double> coordinate_axis(int k) {
-  Vec3<double> e{0, 0, 0};
-  e[k] = 1;
-  return e;
-}
-
 /// The coordinate axis that a direction is least aligned with.
 Vec3<double> least_aligned_axis(const Vec3<double>& d) {
   int least = 0;
   for (int k = 1; k < 3; ++k) {
     if (std::abs(d[k]) < std::abs(d[least])) least = k;
   }
-  return coordinate_axis(least);
+  return Vec3<double>::Unit(least);
 }
 
 struct Spans {
@@ -88,7 +82,7 @@ Spans spans_at(const ControlNet& net, double t, AxisReading::Spans reading, int 
 }  // namespace
 
 Frame coordinate_frame() {
-  return {coordinate_axis(0), coordinate_axis(1), coordinate_axis(2)};
+  return {Vec3<double>::Unit(0), Vec3<double>::Unit(1), Vec3<double>::Unit(2)};
 }
 
 Frame obb_frame(const ControlNet& net, double t, const AxisReading& reading, int side) {

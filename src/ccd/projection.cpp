@@ -8,14 +8,6 @@ namespace ccdfuzz {
 
 namespace {
 
-double largest_component(const Points<double>& points) {
-  double largest = 0;
-  for (const Vec3<double>& p : points) {
-    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
-  }
-  return largest;
-}
-
 /// (B_cp / P, k_cp) of Appendix A (b), as Appendix A (d) uses them: 2^n and 6n, with 3(n+m) for
 /// the 6n of a tensor patch whose degrees differ, and 3n for a curve.
 struct Growth {
@@ -40,6 +32,14 @@ Growth growth_of(const Shape& shape) {
 }
 
 }  // namespace
+
+double largest_component(const Points<double>& points) {
+  double largest = 0;
+  for (const Vec3<double>& p : points) {
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
+  }
+  return largest;
+}
 
 void project(const ControlNet& net, const Axis& axis, Lines<double>& out) {
   out.clear();

@@ -8,6 +8,9 @@ namespace ccdfuzz {
 /// The lines of a sub-patch on an axis (Step I, Appendix A (d)), sorted.
 void project(const ControlNet& net, const Axis& axis, Lines<double>& out);
 
+/// The largest component of some points, in magnitude.
+double largest_component(const Points<double>& points);
+
 /// The largest component of a patch's original control points and velocities, P and Ṗ of
 /// Appendix A.
 struct LargestComponents {

@@ -157,11 +157,7 @@ struct ErrorBound {
   /// eps_constr = eps_coeff + eps_arith (Eqs. 11, 12, 16) on a window that ends at t_hi.
   static double envelope_error(const Lines<double>& sorted, const CoefficientError& error,
                                double t_hi) {
-    double lowest = sorted[0].intercept, highest = lowest;
-    for (const Line<double>& line : sorted) {
-      lowest = std::min(lowest, line.intercept);
-      highest = std::max(highest, line.intercept);
-    }
+    const auto [lowest, highest] = intercepts_of(sorted);
     const double delta_a = sorted.back().slope - sorted[0].slope;
     const double delta_b = highest - lowest;
     const double worst = std::max(4 * delta_b, t_hi * delta_a + delta_b);
@@ -198,6 +194,16 @@ struct ErrorBound {
     double t, error;
   };
 
+  /// The lowest and the highest.
+  static std::array<double, 2> intercepts_of(const Lines<double>& lines) {
+    double lowest = lines[0].intercept, highest = lowest;
+    for (const Line<double>& line : lines) {
+      lowest = std::min(lowest, line.intercept);
+      highest = std::max(highest, line.intercept);
+    }
+    return {lowest, highest};
+  }
+
   Root root_of(const Lines<double>& f, const Lines<double>& g, int i, int j, int steps) const {
     if (count == PullCount::kPairs) ++steps;
     const double pull = steps == 0 ? 0 : steps * delta(f, g);
@@ -210,15 +216,7 @@ struct ErrorBound {
 
   /// delta = 2·Delta_d·[(1+eps)⁴ − 1], Delta_d the greatest |d_alpha − d_beta| (Section 4.5).
   static double delta(const Lines<double>& f, const Lines<double>& g) {
-    const auto extremes = [](const Lines<double>& lines) {
-      double lowest = lines[0].intercept, highest = lowest;
-      for (const Line<double>& line : lines) {
-        lowest = std::min(lowest, line.intercept);
-        highest = std::max(highest, line.intercept);
-      }
-      return std::array{lowest, highest};
-    };
-    const std::array<double, 2> d = extremes(f), e = extremes(g);
+    const std::array<double, 2> d = intercepts_of(f), e = intercepts_of(g);
     return bound(2 * std::max(std::abs(d[0] + e[0]), std::abs(d[1] + e[1])), 4);
   }
 };

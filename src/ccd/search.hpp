@@ -171,15 +171,23 @@ std::uint64_t exact_work(const Inclusion& inclusion) {
 /// narrow in time, relative to the time step, as in the parameters.
 /// Guarantee: if test never drops a contact time of a pair that touches in w, the search misses no
 /// contact. Its toi is then a lower bound of the first one, so no hit is late.
+/// One object serves one thread. It keeps its buffers between queries, and no other state.
 template <class Inclusion>
 class Search {
  public:
-  /// Refuses what is not taken (is_taken); the inclusion is given valid queries alone.
-  Answer run(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
+  /// parts: what the inclusion is made of.
+  template <class... Parts>
+  explicit Search(Parts&&... parts) : inclusion_(std::forward<Parts>(parts)...) {}
+
+  const Inclusion& inclusion() const { return inclusion_; }
+
+  /// Any bits may be asked about. What is no valid query (is_taken) is refused; the inclusion is
+  /// given valid queries alone. toi is the start of the first window that was narrow enough.
+  Answer answer(const Query& query, const SearchOptions& options) {
     if (!is_taken(query, options)) return refusal(query, options);
     const FpGuard guard;
-    Answer answer = decide(query, options, inclusion);
-    answer.work = exact_work(inclusion);
+    Answer answer = decide(query, options);
+    answer.work = exact_work(inclusion_);
     queue_.clear();
     queue_.keep_at_most(kKeptBytes / 4);  // the rest is for the inclusion's tables
     return answer;
@@ -202,7 +210,7 @@ class Search {
     }
   };
 
-  Answer decide(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
+  Answer decide(const Query& query, const SearchOptions& options) {
     const int target = depth_for(options.precision);
     Deadline deadline(options);
     const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
@@ -211,11 +219,11 @@ class Search {
     queue_.clear();
     pushed_ = 0;
 
-    inclusion.begin(query);
+    inclusion_.begin(query);
     regions_.assign(query);
     PairParts parts;
-    parts.prepare(inclusion);
-    if (const auto w = inclusion.test(0, 0, Window{0, query.t_max})) {
+    parts.prepare(inclusion_);
+    if (const auto w = inclusion_.test(0, 0, Window{0, query.t_max})) {
       push(*w, {}, regions_.crossed());
     }
 
@@ -235,16 +243,16 @@ class Search {
       }
       parts.split(shapes, entry.cells);
       parts.trim(regions_, entry.cells, entry.crossed());
-      parts.prepare(inclusion);
+      parts.prepare(inclusion_);
       for (const Window& window : time_parts<Inclusion>(entry.window)) {
         for (int a = 0; a < parts.count[0]; ++a) {
           for (int b = 0; b < parts.count[1]; ++b) {
             if (!parts.counts(a, b)) continue;
             if (deadline.passed(work_of_test)) return give_up(answer, entry.window.lo, "time");
-            if (exact_work(inclusion) > options.max_work) {
+            if (exact_work(inclusion_) > options.max_work) {
               return give_up(answer, entry.window.lo, "work");
             }
-            if (const auto w = inclusion.test(a, b, window)) {
+            if (const auto w = inclusion_.test(a, b, window)) {
               push(*w, {parts.cells[0][a], parts.cells[1][b]}, parts.crossed(a, b));
             }
           }
@@ -267,6 +275,7 @@ class Search {
     return answer;
   }
 
+  Inclusion inclusion_;
   PairRegions regions_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;

@@ -35,38 +35,31 @@ void TdibmInclusion<Policy>::OnAxis::project(const Policy& policy, const Control
                                              const Axis& axis,
                                              std::span<const CoefficientError> stage_errors,
                                              double t_hi) {
-  ccdfuzz::project(net, axis, lines_);
-  negate_lines(lines_, negated_);
+  Lines<double>&lines = halves_[0].lines, &negated = halves_[1].lines;
+  ccdfuzz::project(net, axis, lines);
+  negate_lines(lines, negated);
   if constexpr (Policy::kBoundsErrors) {
-    error_ = policy.envelope_error(lines_, stage_errors[static_cast<size_t>(axis.stage)], t_hi);
+    error_ = policy.envelope_error(lines, stage_errors[static_cast<size_t>(axis.stage)], t_hi);
   }
-  for (Lines<double>* lines : {&lines_, &negated_}) {
-    for (int i = 0; i < lines->size(); ++i) {
-      (*lines)[i].intercept = policy.pulled((*lines)[i].intercept);
+  for (Half& half : halves_) {
+    for (int i = 0; i < half.lines.size(); ++i) {
+      half.lines[i].intercept = policy.pulled(half.lines[i].intercept);
     }
+    half.has_envelope = false;
   }
   direction_ = axis.direction;
-  has_upper_ = has_lower_ = false;
 }
 
 template <class Policy>
-const Lines<double>& TdibmInclusion<Policy>::OnAxis::upper(const Policy& policy, const Window& w) {
-  if (!has_upper_) {
-    upper_envelope(policy, lines_, w, upper_);
-    policy.raise(upper_, error_);
-    has_upper_ = true;
+const Lines<double>& TdibmInclusion<Policy>::OnAxis::envelope(size_t half, const Policy& policy,
+                                                              const Window& w) {
+  auto& [lines, envelope, has_envelope] = halves_[half];
+  if (!has_envelope) {
+    upper_envelope(policy, lines, w, envelope);
+    policy.raise(envelope, error_);
+    has_envelope = true;
   }
-  return upper_;
-}
-
-template <class Policy>
-const Lines<double>& TdibmInclusion<Policy>::OnAxis::lower(const Policy& policy, const Window& w) {
-  if (!has_lower_) {
-    upper_envelope(policy, negated_, w, lower_);
-    policy.raise(lower_, error_);
-    has_lower_ = true;
-  }
-  return lower_;
+  return envelope;
 }
 
 /// Part `part` of patch `side` on axis r: one of its own three, or another.
@@ -106,8 +99,8 @@ std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const
     if (axis.is_zero()) continue;
     OnAxis* const on[2] = {&on_axis(0, part_a, r, axis, wide), &on_axis(1, part_b, r, axis, wide)};
     for (int below = 0; below < 2; ++below) {  // which patch is below the other
-      auto found = separation(policy_, on[below]->upper(policy_, wide),
-                              on[1 - below]->lower(policy_, wide), wide);
+      auto found = separation(policy_, on[below]->envelope(0, policy_, wide),
+                              on[1 - below]->envelope(1, policy_, wide), wide);
       if (found && reading_.window_margin > 0) found = clipped_to(window, *found);
       if (!found) continue;
       if (observer != nullptr) observer->excluded({r, axis.direction, below, *found});
@@ -128,9 +121,9 @@ template class TdibmInclusion<Plain>;
 template class TdibmInclusion<PullApart>;
 template class TdibmInclusion<ErrorBoundIntended>;
 template class TdibmInclusion<ErrorBoundPrinted>;
-template class Tdibm<Plain>;
-template class Tdibm<PullApart>;
-template class Tdibm<ErrorBoundIntended>;
-template class Tdibm<ErrorBoundPrinted>;
+template class Search<TdibmInclusion<Plain>>;
+template class Search<TdibmInclusion<PullApart>>;
+template class Search<TdibmInclusion<ErrorBoundIntended>>;
+template class Search<TdibmInclusion<ErrorBoundPrinted>>;
 
 }  // namespace ccdfuzz

@@ -17,7 +17,7 @@ namespace ccdfuzz {
 template <class Policy>
 class TdibmInclusion {
  public:
-  explicit TdibmInclusion(Policy policy, const Reading& reading = Policy::kReading)
+  explicit TdibmInclusion(Policy policy = Policy(), const Reading& reading = Policy::kReading)
       : policy_(policy), reading_(reading), parts_(reading.axes) {}
 
   void begin(const Query& query);
@@ -26,26 +26,30 @@ class TdibmInclusion {
                              ExclusionObserver* observer = nullptr);
 
  private:
-  /// One part on one axis: its lines, and their envelopes when they are asked for. `lower` stands
-  /// for the negated lines, whose upper envelope is the negated lower one.
+  /// Lines, and their upper envelope when it is asked for.
+  struct Half {
+    Lines<double> lines, envelope;
+    bool has_envelope = false;
+  };
+
+  /// One part on one axis. Half 1 stands for the negated lines, whose upper envelope is the negated
+  /// lower one.
   class OnAxis {
    public:
     /// Step I. stage_errors: eps_a, eps_b by the stage of an axis.
     void project(const Policy& policy, const ControlNet& net, const Axis& axis,
                  std::span<const CoefficientError> stage_errors, double t_hi);
-    /// Step II. w: the window that project had the end of.
-    const Lines<double>& upper(const Policy& policy, const Window& w);
-    const Lines<double>& lower(const Policy& policy, const Window& w);
+    /// Step II of a half. w: the window that project had the end of.
+    const Lines<double>& envelope(size_t half, const Policy& policy, const Window& w);
 
     const Vec3<double>& direction() const { return direction_; }
     /// No lines yet.
     void forget() { direction_ = Vec3<double>(0, 0, 0); }
 
    private:
-    Lines<double> lines_, negated_, upper_, lower_;
+    std::array<Half, 2> halves_;
     Vec3<double> direction_;
     double error_ = 0;  ///< eps_constr
-    bool has_upper_ = false, has_lower_ = false;
   };
 
   OnAxis& on_axis(int side, int part, int r, const Axis& axis, const Window& window);
@@ -69,28 +73,13 @@ extern template class TdibmInclusion<ErrorBoundIntended>;
 extern template class TdibmInclusion<ErrorBoundPrinted>;
 
 /// The paper's methods: `tdibm` (Plain), `tdibm-h:F` (PullApart), `tdibm-e` (ErrorBoundIntended),
-/// `tdibm-e-literal` (ErrorBoundPrinted).
-/// One object serves one thread and keeps its buffers between queries.
-template <class Policy, class Inclusion = TdibmInclusion<Policy>>
-class Tdibm {
- public:
-  explicit Tdibm(Policy policy = Policy(), const Reading& reading = Policy::kReading)
-      : inclusion_(policy, reading) {}
+/// `tdibm-e-literal` (ErrorBoundPrinted). toi is as safe as Policy is.
+template <class Policy>
+using Tdibm = Search<TdibmInclusion<Policy>>;
 
-  /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
-  /// the first window that was narrow enough; it is as safe as Policy is.
-  Answer answer(const Query& query, const SearchOptions& options) {
-    return search_.run(query, options, inclusion_);
-  }
-
- private:
-  Inclusion inclusion_;
-  Search<Inclusion> search_;
-};
-
-extern template class Tdibm<Plain>;
-extern template class Tdibm<PullApart>;
-extern template class Tdibm<ErrorBoundIntended>;
-extern template class Tdibm<ErrorBoundPrinted>;
+extern template class Search<TdibmInclusion<Plain>>;
+extern template class Search<TdibmInclusion<PullApart>>;
+extern template class Search<TdibmInclusion<ErrorBoundIntended>>;
+extern template class Search<TdibmInclusion<ErrorBoundPrinted>>;
 
 }  // namespace ccdfuzz

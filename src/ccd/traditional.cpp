@@ -73,8 +73,4 @@ std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const W
   return window;
 }
 
-Answer Traditional::answer(const Query& query, const SearchOptions& options) {
-  return search_.run(query, options, inclusion_);
-}
-
 }  // namespace ccdfuzz

@@ -25,7 +25,8 @@ class TraditionalInclusion {
   /// Time is the fifth parameter that is subdivided.
   static constexpr bool kSplitsTime = true;
 
-  explicit TraditionalInclusion(BoxKind kind, const AxisReading& axes = kTraditionalAsReleased)
+  explicit TraditionalInclusion(BoxKind kind = BoxKind::kOriented,
+                                const AxisReading& axes = kTraditionalAsReleased)
       : kind_(kind), parts_(axes) {}
 
   void begin(const Query& query) { parts_.begin(query); }
@@ -47,19 +48,6 @@ class TraditionalInclusion {
 };
 
 /// `trad` (oriented boxes, as the paper uses it) and `trad:aabb`.
-class Traditional {
- public:
-  explicit Traditional(BoxKind kind = BoxKind::kOriented,
-                       const AxisReading& axes = kTraditionalAsReleased)
-      : inclusion_(kind, axes) {}
-
-  /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
-  /// the first window that was narrow enough.
-  Answer answer(const Query& query, const SearchOptions& options);
-
- private:
-  TraditionalInclusion inclusion_;
-  Search<TraditionalInclusion> search_;
-};
+using Traditional = Search<TraditionalInclusion>;
 
 }  // namespace ccdfuzz

@@ -36,6 +36,6 @@ extern template class UnoptimisedInclusion<ErrorBoundPrinted>;
 
 /// `tdibm@unoptimised` and so on.
 template <class Policy>
-using UnoptimisedTdibm = Tdibm<Policy, UnoptimisedInclusion<Policy>>;
+using UnoptimisedTdibm = Search<UnoptimisedInclusion<Policy>>;
 
 }  // namespace ccdfuzz

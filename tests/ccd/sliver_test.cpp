@@ -47,7 +47,8 @@ struct FalseHits {
 
 FalseHits of_slivers(int exponent, int count) {
   Tdibm<ErrorBoundIntended> appendix_a;
-  Tdibm<ErrorBoundIntended> unit({}, {{AxisReading::Spans::kCorners, AxisReading::Length::kUnit}});
+  Tdibm<ErrorBoundIntended> unit(
+      ErrorBoundIntended(), Reading{{AxisReading::Spans::kCorners, AxisReading::Length::kUnit}});
   Tdibm<Plain> plain;
   SearchOptions options;
   options.max_pops = 200;  // what takes more is undecided, not hit

@@ -85,7 +85,7 @@ exact_ccd::TierCounts tiers_of(const Query& query, double precision) {
   const Answer answer = method.answer(query, options);
   EXPECT_EQ(answer.verdict, Verdict::kHit);
   EXPECT_EQ(*answer.toi, 1.0);
-  return method.tiers();
+  return method.inclusion().tiers();
 }
 
 /// A point that comes down on the corner of a flat patch at t = 1.

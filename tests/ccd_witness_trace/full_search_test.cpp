@@ -58,11 +58,11 @@ void expect_the_trace_within_the_search(const Args&... args) {
           generated_case(contact, index % 2 == 0 ? Family::kRegular : Family::kInteriorTime, index);
       constexpr double kPrecision = 0x1p-5;
       Record searched, traced;
-      Recording<Inclusion> in_search(searched, args...);
       SearchOptions limits;
       limits.precision = kPrecision;
       limits.max_pops = 20000;
-      const Answer answer = Search<Recording<Inclusion>>().run(known.query, limits, in_search);
+      Search<Recording<Inclusion>> search(searched, args...);
+      const Answer answer = search.answer(known.query, limits);
       InclusionTracer<Recording<Inclusion>> tracer(traced, args...);
       const Trace& trace =
           tracer.trace(known.query, *known.truth.witness, {.precision = kPrecision, .all = true});

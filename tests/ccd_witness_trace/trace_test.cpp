@@ -26,7 +26,7 @@ TEST(Trace, TheSoundMethodsLoseNoWitnessOfAnyClassAndFamily) {
           EXPECT_EQ(trace.false_claims, 0U);
           const auto& patches = known.query.patches;
           const bool is_split = spec != std::string_view("tdibm-c") ||
-                                !certified::is_linear_pair(patches[0].shape, patches[1].shape);
+                                !is_linear_pair(patches[0].shape, patches[1].shape);
           EXPECT_EQ(trace.levels, is_split ? depth_for(1e-4) : 0);
         }
       }

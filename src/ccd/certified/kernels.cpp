@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "base/verify.hpp"
 #include "ccd/certified/projection.hpp"
@@ -29,34 +28,60 @@ namespace {
 using Vector = double __attribute__((vector_size(32)));
 using Mask = long long __attribute__((vector_size(32)));
 
+/// The four doubles at a place, to read or to write as a whole. A vector load from several narrower
+/// stores fails store forwarding.
+using Quad = double __attribute__((vector_size(32), aligned(8), may_alias));
+[[gnu::always_inline]] inline const Quad& quad(const double* from) {
+  return *reinterpret_cast<const Quad*>(from);
+}
+[[gnu::always_inline]] inline Quad& quad(double* to) {
+  return *reinterpret_cast<Quad*>(to);
+}
+
 /// fl(h) on four axes at both ends, for side 0 below side 1 and above it (Gaps).
 struct GapVectors {
   Vector lo0, hi0, lo1, hi1;
 
   [[gnu::always_inline]] GapVectors(const RangeBatch& a, const RangeBatch& b) {
-    Vector min, max;
-    std::memcpy(&max, a.max_lo.data(), sizeof max);
-    std::memcpy(&min, b.min_lo.data(), sizeof min);
-    lo0 = max - min;
-    std::memcpy(&max, a.max_hi.data(), sizeof max);
-    std::memcpy(&min, b.min_hi.data(), sizeof min);
-    hi0 = max - min;
-    std::memcpy(&max, b.max_lo.data(), sizeof max);
-    std::memcpy(&min, a.min_lo.data(), sizeof min);
-    lo1 = max - min;
-    std::memcpy(&max, b.max_hi.data(), sizeof max);
-    std::memcpy(&min, a.min_hi.data(), sizeof min);
-    hi1 = max - min;
+    lo0 = quad(a.max_lo.data()) - quad(b.min_lo.data());
+    hi0 = quad(a.max_hi.data()) - quad(b.min_hi.data());
+    lo1 = quad(b.max_lo.data()) - quad(a.min_lo.data());
+    hi1 = quad(b.max_hi.data()) - quad(a.min_hi.data());
+  }
+
+  /// The lesser of both sides' larger gap.
+  [[gnu::always_inline]] void throughout(Vector& out) const {
+    const Vector below = lo0 > hi0 ? lo0 : hi0;
+    const Vector above = lo1 > hi1 ? lo1 : hi1;
+    out = below < above ? below : above;
   }
 };
 
-/// Stores whole vectors: a vector load from several narrower stores fails store forwarding.
+/// Extents on four axes at both ends.
+struct RangeVectors {
+  Vector min_lo, max_lo, min_hi, max_hi;
+
+  [[gnu::always_inline]] void begin(const Vector& lo, const Vector& hi) {
+    min_lo = max_lo = lo;
+    min_hi = max_hi = hi;
+  }
+  [[gnu::always_inline]] void add(const Vector& lo, const Vector& hi) {
+    min_lo = lo < min_lo ? lo : min_lo;
+    max_lo = lo > max_lo ? lo : max_lo;
+    min_hi = hi < min_hi ? hi : min_hi;
+    max_hi = hi > max_hi ? hi : max_hi;
+  }
+  [[gnu::always_inline]] void store(RangeBatch& out) const {
+    quad(out.min_lo.data()) = min_lo;
+    quad(out.max_lo.data()) = max_lo;
+    quad(out.min_hi.data()) = min_hi;
+    quad(out.max_hi.data()) = max_hi;
+  }
+};
+
 [[gnu::always_inline]] inline void copy_point(const double* from, double* to) {
-  Vector p, v;
-  std::memcpy(&p, from, sizeof p);
-  std::memcpy(&v, from + 4, sizeof v);
-  std::memcpy(to, &p, sizeof p);
-  std::memcpy(to + 4, &v, sizeof v);
+  quad(to) = quad(from);
+  quad(to + 4) = quad(from + 4);
 }
 
 /// p + t·v, over the weight in p's last place if there is one, which then is 0 again.
@@ -74,57 +99,36 @@ template <bool kRational>
 template <bool kRational>
 [[gnu::always_inline]] inline void snapshot_inline(const double* net, int count, double t0,
                                                    double t1, double* out, RangeBatch* ranges) {
-  Vector min_lo{}, max_lo{}, min_hi{}, max_hi{};
+  RangeVectors extents{};
   for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
-    Vector p, v;
-    std::memcpy(&p, net, sizeof p);
-    std::memcpy(&v, net + 4, sizeof v);
+    const Vector p = quad(net), v = quad(net + 4);
     Vector at_t0, at_t1;
     place_at<kRational>(p, v, t0, at_t0);
     place_at<kRational>(p, v, t1, at_t1);
-    std::memcpy(out, &at_t0, sizeof p);
-    std::memcpy(out + 4, &at_t1, sizeof p);
+    quad(out) = at_t0;
+    quad(out + 4) = at_t1;
     if (ranges == nullptr) continue;
     if (i == 0) {
-      min_lo = max_lo = at_t0;
-      min_hi = max_hi = at_t1;
-      continue;
+      extents.begin(at_t0, at_t1);
+    } else {
+      extents.add(at_t0, at_t1);
     }
-    min_lo = at_t0 < min_lo ? at_t0 : min_lo;
-    max_lo = at_t0 > max_lo ? at_t0 : max_lo;
-    min_hi = at_t1 < min_hi ? at_t1 : min_hi;
-    max_hi = at_t1 > max_hi ? at_t1 : max_hi;
   }
-  if (ranges == nullptr) return;
-  std::memcpy(ranges->min_lo.data(), &min_lo, sizeof min_lo);
-  std::memcpy(ranges->max_lo.data(), &max_lo, sizeof max_lo);
-  std::memcpy(ranges->min_hi.data(), &min_hi, sizeof min_hi);
-  std::memcpy(ranges->max_hi.data(), &max_hi, sizeof max_hi);
+  if (ranges != nullptr) extents.store(*ranges);
 }
 
 [[gnu::always_inline]] inline void project_inline(const Snapshot& snapshot, const AxisBatch& axes,
                                                   RangeBatch& out) {
-  Vector l0, l1, l2;
-  std::memcpy(&l0, axes.axes[0].data(), sizeof l0);
-  std::memcpy(&l1, axes.axes[1].data(), sizeof l1);
-  std::memcpy(&l2, axes.axes[2].data(), sizeof l2);
+  const Vector l0 = quad(axes.axes[0].data()), l1 = quad(axes.axes[1].data()),
+               l2 = quad(axes.axes[2].data());
   const double* x = snapshot.values;
-  Vector min_lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
-  Vector min_hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
-  Vector max_lo = min_lo, max_hi = min_hi;
+  RangeVectors extents;
+  extents.begin((l0 * x[0] + l1 * x[1]) + l2 * x[2], (l0 * x[4] + l1 * x[5]) + l2 * x[6]);
   for (int i = 1; i < snapshot.count; ++i) {
     x += kPerPoint;
-    const Vector lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
-    const Vector hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
-    min_lo = lo < min_lo ? lo : min_lo;
-    max_lo = lo > max_lo ? lo : max_lo;
-    min_hi = hi < min_hi ? hi : min_hi;
-    max_hi = hi > max_hi ? hi : max_hi;
+    extents.add((l0 * x[0] + l1 * x[1]) + l2 * x[2], (l0 * x[4] + l1 * x[5]) + l2 * x[6]);
   }
-  std::memcpy(out.min_lo.data(), &min_lo, sizeof min_lo);
-  std::memcpy(out.max_lo.data(), &max_lo, sizeof max_lo);
-  std::memcpy(out.min_hi.data(), &min_hi, sizeof min_hi);
-  std::memcpy(out.max_hi.data(), &max_hi, sizeof max_hi);
+  extents.store(out);
   out.of = snapshot.of;
 }
 
@@ -162,11 +166,9 @@ template <bool kRational>
 [[gnu::always_inline]] inline void compare_inline(const RangeBatch& a, const RangeBatch& b,
                                                   const Bounds& bounds, SeparatingAxes& out) {
   const GapVectors gap(a, b);
-  Vector bound;
-  std::memcpy(&bound, bounds.on.data(), sizeof bound);
-  const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
-  const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
-  const Vector throughout = below < above ? below : above;
+  const Vector bound = quad(bounds.on.data());
+  Vector throughout;
+  gap.throughout(throughout);
   const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
   const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
   const Vector least = least0 < least1 ? least0 : least1;
@@ -202,11 +204,9 @@ void split_net(const MidpointProgram& program, const double* net, int count, dou
   double* next = slots + count * kPerPoint;
   for (const MidpointProgram::Step step : program.steps) {
     for (int half = 0; half < kPerPoint; half += 4) {
-      Vector l, r;
-      std::memcpy(&l, slots + step.left * kPerPoint + half, sizeof l);
-      std::memcpy(&r, slots + step.right * kPerPoint + half, sizeof r);
-      const Vector mean = (l + r) * 0.5;
-      std::memcpy(next + half, &mean, sizeof mean);
+      const Vector l = quad(slots + step.left * kPerPoint + half);
+      const Vector r = quad(slots + step.right * kPerPoint + half);
+      quad(next + half) = (l + r) * 0.5;
     }
     next += kPerPoint;
   }
@@ -243,15 +243,13 @@ SeparatingAxes project_and_compare(const Snapshot& a, const Snapshot& b, const A
 CCDFUZZ_FOR_EACH_CPU
 unsigned not_separated(const RangeBatch* a, const RangeBatch* b, unsigned pairs,
                        const Bounds& bounds) {
-  Vector bound;
-  std::memcpy(&bound, bounds.on.data(), sizeof bound);
+  const Vector bound = quad(bounds.on.data());
   Mask apart{};  // in each lane the pairs that its axis separates
   for (unsigned left = pairs; left != 0; left &= left - 1) {
     const int pair = std::countr_zero(left);
     const GapVectors gap(a[pair / 4], b[pair % 4]);
-    const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
-    const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
-    const Vector throughout = below < above ? below : above;
+    Vector throughout;
+    gap.throughout(throughout);
     apart |= (throughout < -bound) & (1LL << pair);
     unsigned separating = 0;
     for (int i = 0; i < kLanes; ++i) separating |= static_cast<unsigned>(apart[i] >> pair & 1) << i;

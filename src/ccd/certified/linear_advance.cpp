@@ -143,15 +143,15 @@ class ConservativeAdvancement {
   Advancement run() {
     for (size_t k = 0; k < 3; ++k) {
       follow(coordinate_axis(static_cast<int>(k)));
-      if (clear_) return {Advancement::Kind::kClear, query_.t_max, 0};
+      if (clear_) return {Advancement::Kind::kClear, query_.t_max};
     }
     Advancement out;
     time_ = furthest_;
     const bool in_plane = query_.controls[0].size() + query_.controls[1].size() < 4;
-    const std::uint64_t most_steps = query_.separation > 0 ? kMostStepsApart
-                                     : in_plane            ? kMostStepsInPlane
-                                                           : kMostSteps;
-    for (out.steps = 1; out.steps <= most_steps; ++out.steps) {
+    const int most_steps = query_.separation > 0 ? kMostStepsApart
+                           : in_plane            ? kMostStepsInPlane
+                                                 : kMostSteps;
+    for (int steps = 0; steps < most_steps; ++steps) {
       try_axes();
       if (clear_) {
         out.kind = Advancement::Kind::kClear;
@@ -298,11 +298,6 @@ class ConservativeAdvancement {
 };
 
 }  // namespace
-
-bool is_linear_pair(const Shape& a, const Shape& b) {
-  const auto flat = [](const Shape& s) { return s.kind != ShapeKind::kTensor && s.n <= 1; };
-  return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
-}
 
 Advancement advance(const NormalisedQuery& query, ExclusionObserver* observer) {
   return ConservativeAdvancement(query, observer).run();

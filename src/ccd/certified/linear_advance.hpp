@@ -18,12 +18,7 @@ struct Advancement {
   };
   Kind kind = Kind::kSlow;
   double time = 0;  ///< normalised
-  std::uint64_t steps = 0;
 };
-
-/// True iff advance takes the shapes: points, curves of degree 1 and triangles of degree 1, with at
-/// most two parameters in all.
-bool is_linear_pair(const Shape& a, const Shape& b);
 
 /// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
 /// patches at t (Law C) is followed to a time at which it still does. So it did between (Law A),

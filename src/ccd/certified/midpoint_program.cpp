@@ -52,37 +52,25 @@ MidpointProgram::MidpointProgram(const Shape& shape) {
   Builder builder(shape, *this);
   children.resize(static_cast<size_t>(shape.child_count()));
   roundings = shape.n + shape.m;
-  if (shape.kind == ShapeKind::kPoint) {
-    children[0] = {0};
-    return;
-  }
-  if (shape.kind == ShapeKind::kTriangle) {
-    // Corners (origin, u end, v end) of each child among w, u, v, wu, wv, uv. The middle child is
-    // turned: its origin is the corner with both coordinates higher (Cell::corners).
-    constexpr std::array<std::array<int, 3>, 4> corners = {
-        {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}, {5, 4, 3}}};
-    for (size_t c = 0; c < 4; ++c) {
-      for (int i = 0; i <= shape.n; ++i) {
-        for (int j = 0; j <= shape.n - i; ++j) {
-          Arguments a{};
-          a[corners[c][0]] += shape.n - i - j;
-          a[corners[c][1]] += i;
-          a[corners[c][2]] += j;
-          children[c].push_back(builder.slot(a));
-        }
-      }
-    }
-    return;
-  }
+  // Corners (origin, u end, v end) of each child of a triangle among w, u, v, wu, wv, uv. The
+  // middle child is turned: its origin is the corner with both coordinates higher (Cell::corners).
+  constexpr std::array<std::array<int, 3>, 4> corners = {
+      {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}, {5, 4, 3}}};
   for (size_t c = 0; c < children.size(); ++c) {
     const bool high_u = (c & 1) != 0, high_v = (c & 2) != 0;
     for (int i = 0; i <= shape.n; ++i) {
-      for (int j = 0; j <= shape.m; ++j) {
+      for (int j = 0; j <= shape.last_column(i); ++j) {
         Arguments a{};
-        a[high_u ? 2 : 0] += shape.n - i;
-        a[high_u ? 1 : 2] += i;
-        a[high_v ? 5 : 3] += shape.m - j;
-        a[high_v ? 4 : 5] += j;
+        if (shape.kind == ShapeKind::kTriangle) {
+          a[corners[c][0]] += shape.n - i - j;
+          a[corners[c][1]] += i;
+          a[corners[c][2]] += j;
+        } else {
+          a[high_u ? 2 : 0] += shape.n - i;
+          a[high_u ? 1 : 2] += i;
+          a[high_v ? 5 : 3] += shape.m - j;
+          a[high_v ? 4 : 5] += j;
+        }
         children[c].push_back(builder.slot(a));
       }
     }

@@ -55,6 +55,8 @@ class PairSplit {
 
   const NormalisedQuery& query() const { return query_; }
   const CellTree& tree(int side) const { return trees_[side]; }
+  /// What decided. Those of linear queries are for the caller to count.
+  Tiers& tiers() { return tiers_; }
   const Tiers& tiers() const { return tiers_; }
   /// Bytes of all cells, and of the memory that is held for them.
   size_t bytes() const { return trees_[0].bytes() + trees_[1].bytes(); }

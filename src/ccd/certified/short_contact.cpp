@@ -30,29 +30,6 @@ struct ShortMoment {
   double lower_bound = 0;
 };
 
-struct SignsOfPart {
-  int first = 0, changes = 0;
-  bool zero_at_lo = false, zero_at_hi = false;
-};
-
-/// As TimePolynomial::signs_on.
-template <int Degree, int Bits>
-SignsOfPart signs_of(const ShortPolynomial<Degree, Bits>& on_part) {
-  SignsOfPart out;
-  int last = 0;
-  const auto bernstein = on_part.bernstein();
-  for (const auto& c : bernstein.c) {
-    const int sign = c.sign();
-    if (sign == 0) continue;
-    if (last == 0) out.first = sign;
-    out.changes += last == -sign;
-    last = sign;
-  }
-  out.zero_at_lo = bernstein.c[0].sign() == 0;
-  out.zero_at_hi = bernstein.c[Degree].sign() == 0;
-  return out;
-}
-
 class ShortSearch {
  public:
   explicit ShortSearch(ShortPolygon& polygon)
@@ -60,7 +37,7 @@ class ShortSearch {
 
   std::optional<ShortAnswer> run() {
     if (rough_.c == std::array<double, 4>{}) return std::nullopt;
-    const SignsOfPart signs = signs_of(determinant_);
+    const SignsOnPart signs = determinant_.signs();
     if (signs.zero_at_lo) try_moment(moment_at(0));
     try_part(0, 0, signs, rough_);
     if (signs.zero_at_hi) try_moment(moment_at(kParts));
@@ -81,7 +58,7 @@ class ShortSearch {
   bool goes_on() const { return answer_ && !answer_->touch; }
 
   /// The roots inside of (m, m + 1)·2^-level. rough: the determinant there.
-  void try_part(std::int64_t m, int level, const SignsOfPart& signs,
+  void try_part(std::int64_t m, int level, const SignsOnPart& signs,
                 const RoughPolynomial<3>& rough);
   /// The only root there, a simple one. share: where it may be.
   ShortMoment root_in(std::int64_t m, int level, int first, double share) const;
@@ -94,7 +71,7 @@ class ShortSearch {
   std::optional<ShortAnswer> answer_ = ShortAnswer{false};
 };
 
-void ShortSearch::try_part(std::int64_t m, int level, const SignsOfPart& signs,
+void ShortSearch::try_part(std::int64_t m, int level, const SignsOnPart& signs,
                            const RoughPolynomial<3>& rough) {
   if (!goes_on() || signs.changes == 0) return;
   if (signs.changes == 1) {
@@ -103,7 +80,7 @@ void ShortSearch::try_part(std::int64_t m, int level, const SignsOfPart& signs,
       const double root = -rough_.c[0] / rough_.c[1];
       try_moment({root, 0x1p-50 * root, -1, root});
     } else {
-      try_moment(root_in(m, level, signs.first, guess_root(rough.c)));
+      try_moment(root_in(m, level, signs.at_lo, guess_root(rough.c)));
     }
     return;
   }
@@ -113,12 +90,12 @@ void ShortSearch::try_part(std::int64_t m, int level, const SignsOfPart& signs,
   }
   const auto left = determinant_.on_part<576>(2 * m, level + 1),
              right = determinant_.on_part<576>(2 * m + 1, level + 1);
-  const SignsOfPart on_left = signs_of(left);
+  const SignsOnPart on_left = left.signs();
   try_part(2 * m, level + 1, on_left, RoughPolynomial<3>(left));
   if (on_left.zero_at_hi && goes_on()) {
     try_moment(moment_at((2 * m + 1) << (kShortLevel - level - 1)));
   }
-  try_part(2 * m + 1, level + 1, signs_of(right), RoughPolynomial<3>(right));
+  try_part(2 * m + 1, level + 1, right.signs(), RoughPolynomial<3>(right));
 }
 
 /// From the guess on in steps twice as long each, then by halves.
@@ -149,8 +126,8 @@ std::optional<int> sign_at(const Cross& exact, const ShortMoment& t) {
   // Law L10: on a part of level 44 a cross has 343 bits.
   const auto on_part = exact.on_part<384>(t.part, kShortLevel);
   if (t.radius == 0) return on_part.c[0].sign();
-  const SignsOfPart signs = signs_of(on_part);
-  return signs.changes == 0 ? std::optional(signs.first) : std::nullopt;
+  const SignsOnPart signs = on_part.signs();
+  return signs.changes == 0 ? std::optional(signs.at_lo) : std::nullopt;
 }
 
 /// Whether the origin is in the polygon, unless a sign is open.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ccd/certified/signs_on_part.hpp"
 #include "numeric/ieee_arithmetic.hpp"
 #include "numeric/wide_int.hpp"
 
@@ -39,13 +40,10 @@ struct ShortPolynomial {
     return r;
   }
 
-  /// Coefficients in Bernstein's basis, times binomials: see TimePolynomial::signs_on.
-  ShortPolynomial bernstein() const {
-    ShortPolynomial r = *this;
-    for (std::size_t last = Degree; last > 0; --last) {
-      for (std::size_t j = 0; j < last; ++j) r.c[j + 1] += r.c[j];
-    }
-    return r;
+  /// What on_part is taken for: the signs in x on [0, 1].
+  SignsOnPart signs() const {
+    auto copy = c;
+    return signs_of(std::span<Int>(copy));
   }
 
   /// 2^(Degree·level) times this, in x, where t = (m + x)·2^-level.

@@ -57,22 +57,14 @@ void TdibmC::push(const certified::CellPair& pair) {
   queue_.push({pair, depth, static_cast<std::uint32_t>(bucket), pushed_++});
 }
 
-certified::Tiers TdibmC::tiers() const {
-  certified::Tiers all = split_.tiers();
-  all.advancement = linear_.advancement;
-  all.doubles = linear_.doubles;
-  all.short_integers = linear_.short_integers;
-  all.long_integers = linear_.long_integers;
-  return all;
-}
-
 std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOptions& options,
                                             int target, double& from) {
   const certified::NormalisedQuery& normalised = split_.query();
+  certified::Tiers& tiers = split_.tiers();
   Answer answer;
   const certified::Advancement advanced = certified::advance(normalised);
   if (advanced.kind == certified::Advancement::Kind::kClear) {
-    ++linear_.advancement;
+    ++tiers.advancement;
     answer.verdict = Verdict::kMiss;
     return answer;
   }
@@ -95,7 +87,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   const bool stopped = advanced.kind == certified::Advancement::Kind::kStopped;
   const certified::RoughContact rough =
       certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
-  linear_.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
+  tiers.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
   if (rough.kind == certified::RoughContact::Kind::kNone) {
     answer.verdict = Verdict::kMiss;
     return answer;
@@ -107,7 +99,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   using Kind = certified::LinearContact::Kind;
   const certified::LinearContact contact =
       certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
-  ++(contact.is_short ? linear_.short_integers : linear_.long_integers);
+  ++(contact.is_short ? tiers.short_integers : tiers.long_integers);
   if (contact.kind == Kind::kNone) {
     answer.verdict = Verdict::kMiss;
     return answer;
@@ -130,7 +122,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   pushed_ = 0;
   Answer answer;
   double from = 0;
-  const bool is_linear = certified::is_linear_pair(normalised.shapes[0], normalised.shapes[1]);
+  const bool is_linear = is_linear_pair(normalised.shapes[0], normalised.shapes[1]);
   if (is_linear && !is_trimmed(query)) {
     if (const std::optional<Answer> decided = decide_linear(query, options, target, from)) {
       return *decided;

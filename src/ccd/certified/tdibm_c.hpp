@@ -49,7 +49,7 @@ class TdibmC {
   Answer answer(const Query& query, const SearchOptions& options);
 
   /// How often each tier decided, over the life of the object.
-  certified::Tiers tiers() const;
+  const certified::Tiers& tiers() const { return split_.tiers(); }
 
  private:
   struct Entry : certified::CellPair {
@@ -75,7 +75,6 @@ class TdibmC {
   certified::PairSplit split_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
-  certified::Tiers linear_;  ///< for linear queries alone
 };
 
 }  // namespace ccdfuzz

@@ -14,20 +14,16 @@ void TimePolynomial::trim(int degree) {
   while (degree_ >= 0 && (*this)[degree_].sign() == 0) --degree_;
 }
 
-TimePolynomial operator+(const TimePolynomial& a, const TimePolynomial& b) {
-  TimePolynomial r;
-  const int degree = std::max(a.degree_, b.degree_);
-  for (std::size_t i = 0; static_cast<int>(i) <= degree; ++i) r.c_[i] = a.c_[i] + b.c_[i];
-  r.trim(degree);
-  return r;
+TimePolynomial operator+(TimePolynomial a, const TimePolynomial& b) {
+  for (std::size_t i = 0; static_cast<int>(i) <= b.degree_; ++i) a.c_[i] += b.c_[i];
+  a.trim(std::max(a.degree_, b.degree_));
+  return a;
 }
 
-TimePolynomial operator-(const TimePolynomial& a, const TimePolynomial& b) {
-  TimePolynomial r;
-  const int degree = std::max(a.degree_, b.degree_);
-  for (std::size_t i = 0; static_cast<int>(i) <= degree; ++i) r.c_[i] = a.c_[i] - b.c_[i];
-  r.trim(degree);
-  return r;
+TimePolynomial operator-(TimePolynomial a, const TimePolynomial& b) {
+  for (std::size_t i = 0; static_cast<int>(i) <= b.degree_; ++i) a.c_[i] -= b.c_[i];
+  a.trim(std::max(a.degree_, b.degree_));
+  return a;
 }
 
 TimePolynomial operator*(const TimePolynomial& a, const TimePolynomial& b) {
@@ -72,25 +68,10 @@ TimePolynomial::Coefficients TimePolynomial::on(const TimePart& part) const {
   return c;
 }
 
-/// The coefficients in Bernstein's basis, times binomials, have the changes of sign; for power x^j
-/// is x^j·(x + (1 − x))^(degree − j).
 SignsOnPart TimePolynomial::signs_on(const TimePart& part) const {
-  SignsOnPart out;
-  if (is_zero()) return out;
+  if (is_zero()) return {};
   Coefficients c = on(part);
-  for (auto last = static_cast<std::size_t>(degree_); last > 0; --last) {
-    for (std::size_t j = 0; j < last; ++j) c[j + 1] += c[j];
-  }
-  out.zero_at_lo = c[0].sign() == 0;
-  out.zero_at_hi = c[static_cast<std::size_t>(degree_)].sign() == 0;
-  for (std::size_t i = 0; static_cast<int>(i) <= degree_; ++i) {
-    const int sign = c[i].sign();
-    if (sign == 0) continue;
-    if (out.at_lo == 0) out.at_lo = sign;
-    out.changes += out.at_hi == -sign;
-    out.at_hi = sign;
-  }
-  return out;
+  return signs_of(std::span(c).first(static_cast<std::size_t>(degree_) + 1));
 }
 
 double TimePolynomial::guess_root(const TimePart& part) const {

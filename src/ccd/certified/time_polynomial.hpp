@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ccd/certified/signs_on_part.hpp"
 #include "numeric/bounded_int.hpp"
 
 namespace ccdfuzz::certified {
@@ -23,18 +24,6 @@ struct TimeRatio {
   Int num, den;
 };
 
-/// What the coefficients of a polynomial tell of a part.
-struct SignsOnPart {
-  bool zero_at_lo = true, zero_at_hi = true;
-  int at_lo = 0, at_hi = 0;  ///< the sign just inside each end; 0 for the zero polynomial alone
-  /// Descartes' bound (Law L3): the number of roots inside, with their multiplicities, is this or
-  /// less by an even number. So 0 and 1 are what they say.
-  int changes = 0;
-
-  /// The number of roots inside is odd. Law L5 asks this of a divisor with one root at most.
-  bool odd_roots() const { return at_lo != at_hi; }
-};
-
 /// A polynomial of time with integer coefficients, of degree 3 at most.
 class TimePolynomial {
  public:
@@ -47,8 +36,8 @@ class TimePolynomial {
   /// The coefficient of power i ≤ 3.
   const Int& operator[](int i) const { return c_[static_cast<std::size_t>(i)]; }
 
-  friend TimePolynomial operator+(const TimePolynomial& a, const TimePolynomial& b);
-  friend TimePolynomial operator-(const TimePolynomial& a, const TimePolynomial& b);
+  friend TimePolynomial operator+(TimePolynomial a, const TimePolynomial& b);
+  friend TimePolynomial operator-(TimePolynomial a, const TimePolynomial& b);
   /// Requires degrees that add up to 3 at most.
   friend TimePolynomial operator*(const TimePolynomial& a, const TimePolynomial& b);
   TimePolynomial derivative() const;

@@ -20,6 +20,16 @@ HeightLines::HeightLines(const NetPair& nets, const Axis& axis) {
   }
 }
 
+Range HeightLines::extent(int side, double t) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Range out{kInfinity, -kInfinity};
+  for (int i = 0; i < counts_[side]; ++i) {
+    const double height = slopes_[side][i] * t + intercepts_[side][i];
+    out = {std::min(out.min, height), std::max(out.max, height)};
+  }
+  return out;
+}
+
 HeightLines::Gap HeightLines::gap(int below, double t) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double most = -kInfinity, least = kInfinity, slope_of_most = 0, slope_of_least = 0;
@@ -35,14 +45,7 @@ HeightLines::Gap HeightLines::gap(int below, double t) const {
 }
 
 bool HeightLines::is_separated(int below, double t, double bound) const {
-  for (int i = 0; i < counts_[below]; ++i) {
-    const double lower = slopes_[below][i] * t + intercepts_[below][i];
-    for (int j = 0; j < counts_[1 - below]; ++j) {
-      const double upper = slopes_[1 - below][j] * t + intercepts_[1 - below][j];
-      if (!(lower - upper < -bound)) return false;
-    }
-  }
-  return true;
+  return extent(below, t).max - extent(1 - below, t).min < -bound;
 }
 
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,

@@ -90,6 +90,7 @@ class HeightLines {
 
   HeightLines(const NetPair& nets, const Axis& axis);
 
+  Range extent(int side, double t) const;
   /// below: which side is the lower one, as `sign` in Gaps.
   Gap gap(int below, double t) const;
   /// Each point of side `below` is lower than each of the other by more than `bound`: for

@@ -249,10 +249,8 @@ class ExactScene {
     Height best{Int(0), Int(1)};
     bool any = false;
     const Shape& shape = side.shape;
-    const int rows = shape.kind == ShapeKind::kPoint ? 0 : shape.n;
-    for (int i = 0; i <= rows; ++i) {
-      const int columns = shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
-      for (int j = 0; j <= columns; ++j) {
+    for (int i = 0; i <= shape.n; ++i) {
+      for (int j = 0; j <= shape.last_column(i); ++j) {
         if (candidates[static_cast<size_t>(shape.index(i, j))] == 0) continue;
         const MovingPoint& p = point(side, part, i, j);
         Height height{Int(0), p.weight};

@@ -4,17 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "ccd/projection.hpp"
+
 namespace ccdfuzz::exact_ccd {
 
 namespace {
-
-double max_magnitude(const Points<double>& points) {
-  double m = 0;
-  for (const Vec3<double>& p : points) {
-    for (int k = 0; k < 3; ++k) m = std::max(m, std::abs(p[k]));
-  }
-  return m;
-}
 
 /// (point − origin)·2^shift for all points, each operation rounded once.
 void normalise(const Points<double>& points, const Vec3<double>& origin, int shift,
@@ -80,10 +74,10 @@ void Gap::begin(const Query& query) {
 
   int top = std::numeric_limits<int>::min() / 2;
   for (const MovingPatch<double>& patch : query.patches) {
-    top = std::max(top, top_of(max_magnitude(patch.positions)));
-    const double moves = patch.has_ends()
-                             ? std::max(max_magnitude(patch.ends), max_magnitude(patch.positions))
-                             : max_magnitude(patch.velocities);
+    top = std::max(top, top_of(largest_component(patch.positions)));
+    const double moves = patch.has_ends() ? std::max(largest_component(patch.ends),
+                                                     largest_component(patch.positions))
+                                          : largest_component(patch.velocities);
     top = std::max(top, top_of(moves) + units_.horizon);
   }
   top = std::max(top, top_of(query.separation));
@@ -104,8 +98,8 @@ void Gap::begin(const Query& query) {
     } else {
       normalise(patch.velocities, drift.of_velocities, shift, velocities_);
     }
-    m_position = std::max(m_position, max_magnitude(positions_));
-    m_velocity = std::max(m_velocity, max_magnitude(velocities_));
+    m_position = std::max(m_position, largest_component(positions_));
+    m_velocity = std::max(m_velocity, largest_component(velocities_));
     roundings = std::max(roundings, CellPointsCache::roundings(patch.shape, patch.is_rational()));
     cache_[side].begin(patch.shape, positions_, velocities_, scaled_weights(patch));
   }

@@ -21,7 +21,8 @@ class PairTest {
   std::optional<Window> test(int part_a, int part_b, const Window& window,
                              ExclusionObserver* observer = nullptr);
 
-  Gap& gap() { return gap_; }
+  /// How often each arithmetic tier decided, over the life of the object.
+  const TierCounts& tiers() const { return gap_.counts(); }
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:

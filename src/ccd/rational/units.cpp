@@ -52,21 +52,15 @@ Units Units::of(const Query& query) {
     velocity.include(patch.positions);
     of_a_difference = 1;
   }
-  if (position.empty() && velocity.empty()) return u;
-  if (velocity.empty()) {
-    u.length = position.low;
-    u.magnitude_bits = position.top - u.length;
-    return u;
+  BitRange all = position;  // and of the ways
+  if (!velocity.empty()) {
+    all.low = std::min(all.low, velocity.low + u.time);
+    all.top = std::max(all.top, velocity.top + of_a_difference + u.horizon);
   }
-  const int velocity_low = velocity.low + u.time;
-  const int velocity_top = velocity.top + of_a_difference + u.horizon;
-  if (position.empty()) {
-    u.length = velocity_low;
-    u.magnitude_bits = velocity_top - u.length;
-  } else {
-    u.length = std::min(position.low, velocity_low);
-    u.magnitude_bits = std::max(position.top, velocity_top) - u.length + 1;
-  }
+  if (all.empty()) return u;
+  u.length = all.low;
+  const bool is_a_sum = !position.empty() && !velocity.empty();
+  u.magnitude_bits = all.top - all.low + (is_a_sum ? 1 : 0);
   return u;
 }
 

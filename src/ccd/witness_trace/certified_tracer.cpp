@@ -6,41 +6,6 @@
 
 namespace ccdfuzz {
 
-namespace {
-
-/// From the method's time scale to the query's.
-void unscale(Window& w, int exponent) {
-  w = {std::ldexp(w.lo, exponent), std::ldexp(w.hi, exponent)};
-}
-void unscale(ExcludedInterval& e, int exponent) {
-  e.times.lo = std::ldexp(e.times.lo, exponent);
-  e.times.hi = std::ldexp(e.times.hi, exponent);
-}
-void unscale(Trace& trace, int exponent) {
-  if (trace.loss) {
-    unscale(trace.loss->place.window, exponent);
-    unscale(trace.loss->by, exponent);
-    if (trace.loss->left) unscale(*trace.loss->left, exponent);
-  }
-  if (trace.margin) {
-    unscale(trace.margin->place.window, exponent);
-    unscale(trace.margin->by, exponent);
-  }
-  if (trace.slack) {
-    unscale(trace.slack->place.window, exponent);
-    unscale(trace.slack->gap.window, exponent);
-  }
-  for (Trace::Step& step : trace.steps) {
-    unscale(step.place.window, exponent);
-    if (step.left) unscale(*step.left, exponent);
-    if (!step.margin) continue;
-    unscale(step.margin->place.window, exponent);
-    unscale(step.margin->by, exponent);
-  }
-}
-
-}  // namespace
-
 const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
                                     const TraceOptions& options) {
   const FpGuard guard;
@@ -50,10 +15,11 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   const int exponent = split_.query().time;
   path_.assign(split_.query().shapes, witness, exponent);
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
-  watch_.begin(path_.time(), options.steps);
+  watch_.begin(path_.time(), options.steps, exponent);
   now_.clear();
+  for (auto* level : {&now_, &next_}) level->reserve(kMostOfLevel);
   const auto& shapes = split_.query().shapes;
-  if (certified::is_linear_pair(shapes[0], shapes[1]) && !is_trimmed(query)) {
+  if (is_linear_pair(shapes[0], shapes[1]) && !is_trimmed(query)) {
     follow_linear(query, options);
   } else {
     split_.begin(target);
@@ -64,7 +30,6 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
     for (const certified::CellPair& pair : now_) split(pair, options);
     std::swap(now_, next_);
   }
-  unscale(watch_.trace(), exponent);
   return watch_.trace();
 }
 

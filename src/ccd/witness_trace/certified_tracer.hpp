@@ -25,7 +25,7 @@ class CertifiedTracer {
   TdibmC linear_;
   WitnessPath path_;
   WitnessWatch watch_;
-  Frontier<certified::CellPair> now_, next_;
+  std::vector<certified::CellPair> now_, next_;
 };
 
 }  // namespace ccdfuzz

@@ -1,30 +1,15 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "ccd/search.hpp"
 #include "ccd/witness_trace/witness_path.hpp"
 
 namespace ccdfuzz {
 
-/// The pairs of one level that contain a witness; cheap to swap. At most six cells of a triangle
-/// meet in a point, at most four of a tensor patch; and two halves of a window in a time.
-template <class Pair>
-class Frontier {
- public:
-  static constexpr size_t kMost = 6 * 6 * 2;
-
-  void clear() { size_ = 0; }
-  bool empty() const { return size_ == 0; }
-  void push_back(const Pair& pair) { pairs_.at(size_++) = pair; }
-  const Pair* begin() const { return pairs_.data(); }
-  const Pair* end() const { return pairs_.data() + size_; }
-
- private:
-  std::vector<Pair> pairs_ = std::vector<Pair>(kMost);
-  size_t size_ = 0;
-};
+/// The most pairs of one level that contain a witness. At most six cells of a triangle meet in a
+/// point, at most four of a tensor patch; and two halves of a window in a time.
+inline constexpr size_t kMostOfLevel = 6 * 6 * 2;
 
 /// The pairs of children that contain a witness: all of them, or the lowest of each patch alone.
 class ChildChoices {

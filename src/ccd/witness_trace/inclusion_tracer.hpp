@@ -31,6 +31,7 @@ class InclusionTracer {
     PairParts parts;
     parts.prepare(inclusion_);
     now_.clear();
+    for (auto* level : {&now_, &next_}) level->reserve(kMostOfLevel);
     parts.in_domain = {{{0, regions_.crossed() & 1}, {0, regions_.crossed() >> 1}}};
     test(parts, {0, 0}, Window{0, query.t_max}, now_);
     for (int level = 0; level < target && !now_.empty(); ++level) {
@@ -60,7 +61,7 @@ class InclusionTracer {
   };
 
   void test(const PairParts& parts, const std::array<int, 2>& children, const Window& window,
-            Frontier<Pair>& kept) {
+            std::vector<Pair>& kept) {
     const std::array<Cell, 2> cells = {parts.cells[0][static_cast<size_t>(children[0])],
                                        parts.cells[1][static_cast<size_t>(children[1])]};
     watch_.look_at({cells[0].depth, cells, window});
@@ -74,7 +75,7 @@ class InclusionTracer {
   PairRegions regions_;
   WitnessPath path_;
   WitnessWatch watch_;
-  Frontier<Pair> now_, next_;
+  std::vector<Pair> now_, next_;
 };
 
 }  // namespace ccdfuzz

@@ -1,6 +1,7 @@
 #include "ccd/witness_trace/watch.hpp"
 
 #include <bit>
+#include <cmath>
 
 namespace ccdfuzz {
 
@@ -14,14 +15,22 @@ std::uint64_t steps_between(double x, double y) {
 
 }  // namespace
 
-void WitnessWatch::begin(const TimeBounds& time, bool steps) {
+template <class Interval>
+Interval WitnessWatch::in_query(Interval interval) const {
+  interval.lo = std::ldexp(interval.lo, time_exponent_);
+  interval.hi = std::ldexp(interval.hi, time_exponent_);
+  return interval;
+}
+
+void WitnessWatch::begin(const TimeBounds& time, bool steps, int time_exponent) {
   time_ = time;
+  time_exponent_ = time_exponent;
   trace_ = {};
   steps_ = steps;
 }
 
 void WitnessWatch::look_at(const TracePlace& place) {
-  place_ = place;
+  place_ = {place.level, place.cells, in_query(place.window)};
   claim_.reset();
   margin_.reset();
   ++trace_.pairs;
@@ -30,19 +39,22 @@ void WitnessWatch::look_at(const TracePlace& place) {
 
 bool WitnessWatch::judge(const std::optional<Window>& left) {
   const bool kept = left && holds(*left);
-  if (steps_) trace_.steps.push_back({place_, left, !kept, margin_});
+  const std::optional<Window> told = left ? std::optional(in_query(*left)) : left;
+  if (steps_) trace_.steps.push_back({place_, told, !kept, margin_});
   if (kept) return true;
   ++trace_.lost_pairs;
-  if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(ExcludedInterval{}), left};
+  if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(ExcludedInterval{}), told};
   trace_.lost = true;
   return false;
 }
 
 void WitnessWatch::excluded(const ExcludedInterval& exclusion) {
   std::uint64_t ulps = 0;
+  ExcludedInterval told = exclusion;
+  told.times = in_query(exclusion.times);
   if (time_.within(exclusion.times)) {
     ++trace_.false_claims;
-    if (!claim_) claim_ = exclusion;
+    if (!claim_) claim_ = told;
   } else if (exclusion.times.hi <= time_.lo) {
     ulps = steps_between(exclusion.times.hi, time_.lo);
   } else if (exclusion.times.lo >= time_.hi) {
@@ -50,7 +62,7 @@ void WitnessWatch::excluded(const ExcludedInterval& exclusion) {
   } else {
     return;  // an end that is no number excludes nothing
   }
-  if (!margin_ || ulps < margin_->ulps) margin_ = Trace::Margin{ulps, place_, exclusion};
+  if (!margin_ || ulps < margin_->ulps) margin_ = Trace::Margin{ulps, place_, told};
   if (!trace_.margin || ulps < trace_.margin->ulps) trace_.margin = margin_;
 }
 
@@ -65,6 +77,7 @@ void WitnessWatch::compared(const SignedGap& gap) {
   const double slack = at_t / gap.in_units_of;
   if (trace_.slack ? slack < trace_.slack->value : slack == slack) {
     trace_.slack = Trace::Slack{slack, place_, gap};
+    trace_.slack->gap.window = in_query(w);
   }
 }
 

@@ -8,9 +8,10 @@ namespace ccdfuzz {
 /// Listens to the inclusion tests of the pairs that contain a witness and writes the trace.
 class WitnessWatch final : public ExclusionObserver {
  public:
-  /// time: the witness's, in the time scale of the method.
-  /// steps: write down every pair.
-  void begin(const TimeBounds& time, bool steps);
+  /// time: the witness's, in the time scale of the method, as all times that it is told. The
+  /// trace's times are those of the query, 2^time_exponent times as large. steps: write down every
+  /// pair.
+  void begin(const TimeBounds& time, bool steps, int time_exponent = 0);
 
   bool holds(const Window& window) const { return time_.within(window); }
 
@@ -23,10 +24,14 @@ class WitnessWatch final : public ExclusionObserver {
   void compared(const SignedGap& gap) override;
 
   const Trace& trace() const { return trace_; }
-  Trace& trace() { return trace_; }
 
  private:
+  /// The same part of the time step, in the time of the query.
+  template <class Interval>
+  Interval in_query(Interval interval) const;
+
   TimeBounds time_;
+  int time_exponent_ = 0;
   Trace trace_;
   TracePlace place_;
   std::optional<ExcludedInterval> claim_;  ///< the first of this test that contains the witness
