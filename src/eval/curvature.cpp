@@ -41,7 +41,7 @@ class Differentiator {
       std::vector<ExactWeights> arguments(static_cast<size_t>(shape_.n), at);
       std::copy(directions.begin(), directions.end(), arguments.begin());
       const int factor = count == 1 ? shape_.n : shape_.n * (shape_.n - 1);
-      return rounded_at(polar_(shape_, net_, {arguments, {}}), t_, factor);
+      return rounded_at(polar_(shape_, net_, arguments, {}), t_, factor);
     };
     return {along({u}), along({v}), along({u, u}), along({u, v}), along({v, v})};
   }
@@ -61,7 +61,7 @@ class Differentiator {
       };
       const std::vector<ExactWeights> u = arguments(shape_.n, uv_[0], in_u);
       const std::vector<ExactWeights> v = arguments(shape_.m, uv_[1], in_v);
-      return rounded_at(polar_(shape_, net_, {u, v}), t_, factor);
+      return rounded_at(polar_(shape_, net_, u, v), t_, factor);
     };
     return {along(1, 0), along(0, 1), along(2, 0), along(1, 1), along(0, 2)};
   }

@@ -37,11 +37,11 @@ TEST(FirstContact, AtAnIrrationalTimeIsEnclosedAsTightlyAsAsked) {
 }
 
 TEST(FirstContact, RefusesWhatIsNotLinear) {
-  EXPECT_TRUE(is_linear(Shape::point(), Shape::triangle(1)));
-  EXPECT_TRUE(is_linear(Shape::curve(1), Shape::curve(1)));
-  EXPECT_FALSE(is_linear(Shape::curve(1), Shape::triangle(1)));
-  EXPECT_FALSE(is_linear(Shape::curve(2), Shape::curve(1)));
-  EXPECT_FALSE(is_linear(Shape::point(), Shape::tensor(1, 1)));
+  EXPECT_TRUE(is_linear_pair(Shape::point(), Shape::triangle(1)));
+  EXPECT_TRUE(is_linear_pair(Shape::curve(1), Shape::curve(1)));
+  EXPECT_FALSE(is_linear_pair(Shape::curve(1), Shape::triangle(1)));
+  EXPECT_FALSE(is_linear_pair(Shape::curve(2), Shape::curve(1)));
+  EXPECT_FALSE(is_linear_pair(Shape::point(), Shape::tensor(1, 1)));
   const MovingPatch<double> face = irrational_query().patches[1];
   const Query query{{face, face}, 1};
   EXPECT_FALSE(check_linear_clearance(query, {Rational(1), true}));

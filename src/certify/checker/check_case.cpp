@@ -30,9 +30,7 @@ class CaseCheck {
     CCDFUZZ_TRY_VOID(check_truth(value));
     const bool has_clearance = value.truth.clearance.has_value();
     if (has_clearance) {
-      if (auto absent = check_absence(value, tree); !absent) {
-        return tl::unexpected(absent.error());
-      }
+      CCDFUZZ_TRY_VOID(check_absence(value, tree));
     }
     return CheckedCase(std::move(value), has_clearance);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -94,36 +95,26 @@ class Products {
   Corners p_, n_;
 };
 
+/// All of them, each as it is read.
+template <class Value>
 struct Conditions {
-  Conditions(const Triangle& triangle, Work& work) {
-    const Products of(triangle, work);
-    d3 = of.d3();
-    m = of.m();
+  template <class Read>
+  Conditions(const Products& of, const Read& read) : d3(read(of.d3())), m(read(of.m())) {
     for (size_t i = 0; i < 3; ++i) {
-      s[i] = of.s(i);
-      d[i] = of.d(i);
+      s[i] = read(of.s(i));
+      d[i] = read(of.d(i));
     }
   }
 
-  Form d3, m;
-  std::array<Form, 3> s, d;
+  Value d3, m;
+  std::array<Value, 3> s, d;
 };
 
 /// The signs of the conditions at an end (Products::at_end).
-struct Signs {
-  Signs(const Triangle& triangle, size_t end, Work& work) {
-    const Products at_end = Products::at_end(triangle, end, work);
-    const auto sign = [](const Form& f) { return sgn(f.front()); };
-    d3 = sign(at_end.d3());
-    m = sign(at_end.m());
-    for (size_t i = 0; i < 3; ++i) {
-      s[i] = sign(at_end.s(i));
-      d[i] = sign(at_end.d(i));
-    }
-  }
-
-  int d3, m;
-  std::array<int, 3> s, d;
+struct Signs : Conditions<int> {
+  Signs(const Triangle& triangle, size_t end, Work& work)
+      : Conditions(Products::at_end(triangle, end, work),
+                   [](const Form& f) { return sgn(f.front()); }) {}
 };
 
 bool has_no_sign(const Form& f, int sign) {
@@ -339,7 +330,8 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
   };
   const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
   for (size_t i = 0; i < in_powers.size(); ++i) {
-    const Conditions power(in_powers[i], work), end(in_ends[i], work);
+    const Conditions<Form> power(Products(in_powers[i], work), std::identity()),
+        end(Products(in_ends[i], work), std::identity());
     bool holds = divides(p, power.d3, work), some_d = false;
     for (size_t k = 0; k < 3; ++k) {
       holds &= has_no_sign(end.s[k], -1) || divides(p, power.s[k], work);

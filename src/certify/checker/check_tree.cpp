@@ -118,7 +118,7 @@ class Parts {
       MovingNet<Integer>& child = family.nets[static_cast<size_t>(c)];
       child.resize(net.size());
       for (int i = 0; i <= shape_.n; ++i) {
-        for (int j = 0; j <= (triangle ? shape_.n - i : shape_.m); ++j) {
+        for (int j = 0; j <= shape_.last_column(i); ++j) {
           for (int k = 0; k < shape_.n; ++k) {
             first[static_cast<size_t>(k)] = triangle ? corner(c, k < i       ? 1
                                                                  : k < i + j ? 2
@@ -128,7 +128,7 @@ class Parts {
           for (int k = 0; k < shape_.m; ++k) {
             second[static_cast<size_t>(k)] = end((c & 2) != 0, k < j);
           }
-          child[static_cast<size_t>(shape_.index(i, j))] = polar_(shape_, net, {first, second});
+          child[static_cast<size_t>(shape_.index(i, j))] = polar_(shape_, net, first, second);
         }
       }
     }

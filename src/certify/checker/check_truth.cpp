@@ -23,17 +23,15 @@ Result<void> check_truth(const Case& value) {
     return input_error("truth.witness", "missing, though collides is true");
   }
   if (truth.witness) {
-    auto checked = truth.collides == true && !truth.contact_box && !truth.contact_root
-                       ? check_witness(value.query, *truth.witness)
-                       : check_contact(value.query, *truth.witness);
-    if (!checked) return checked;
+    const bool is_proof = truth.collides == true && !truth.contact_box && !truth.contact_root;
+    CCDFUZZ_TRY_VOID(is_proof ? check_witness(value.query, *truth.witness)
+                              : check_contact(value.query, *truth.witness));
   }
   if (truth.contact_box) {
     CCDFUZZ_TRY_VOID(check_box(value.query, *truth.contact_box));
   }
   if (truth.contact_root) {
-    auto checked = check_contact_root(value.query, *truth.contact_root);
-    if (!checked) return checked;
+    CCDFUZZ_TRY_VOID(check_contact_root(value.query, *truth.contact_root));
   }
   const std::optional<Rational> by = truth.contact_by();
   const char* const proof = truth.witness && truth.witness->t == by              ? "witness"

@@ -27,7 +27,7 @@ Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv
   const std::vector<Weights<Rational>> second(static_cast<size_t>(patch.shape.m),
                                               Weights<Rational>{rest_v, v, zero});
   Polar<Rational> polar(&work, patch.is_rational());
-  const Moving<Rational>& at = polar(patch.shape, moving_net<Rational>(patch), {first, second});
+  const Moving<Rational>& at = polar(patch.shape, moving_net<Rational>(patch), first, second);
   Vec3<Rational> point(at[0] + t * at[3], at[1] + t * at[4], at[2] + t * at[5]);
   if (!patch.is_rational()) return point;
   for (Rational& x : point) {

@@ -10,11 +10,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Degree of the polynomial in v, or of a row of control points with this i.
-int degree_in_v(const Shape& shape, int i) {
-  return shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
-}
-
 bool all_nonnegative(const std::vector<Rational>& coefficients) {
   return std::ranges::all_of(coefficients, [](const Rational& c) { return c >= 0; });
 }
@@ -33,13 +28,13 @@ std::optional<std::array<Rational, 6>> low_terms(const Shape& shape, std::vector
   // Forward differences Δu^i Δv^j at control point (0, 0), each in the place of (i, j).
   for (int round = 1; round <= shape.n; ++round) {
     for (int i = shape.n; i >= round; --i) {
-      for (int j = 0; j <= degree_in_v(shape, i); ++j) at(i, j) -= at(i - 1, j);
+      for (int j = 0; j <= shape.last_column(i); ++j) at(i, j) -= at(i - 1, j);
     }
   }
   std::array<Rational, 6> terms;
   constexpr std::array<std::array<size_t, 3>, 3> kPlace = {{{0, 2, 5}, {1, 4, 6}, {3, 6, 6}}};
   for (int i = 0; i <= shape.n; ++i) {
-    const int m = degree_in_v(shape, i);
+    const int m = shape.last_column(i);
     for (int round = 1; round <= m; ++round) {
       for (int j = m; j >= round; --j) at(i, j) -= at(i, j - 1);
     }
@@ -87,7 +82,7 @@ bool is_nonnegative_row(const std::vector<Rational>& row) {
 std::vector<Rational> row_of(const Shape& shape, const std::vector<Rational>& coefficients,
                              bool by_u, int r) {
   std::vector<Rational> row;
-  const int last = by_u || shape.kind == ShapeKind::kTriangle ? degree_in_v(shape, r) : shape.n;
+  const int last = by_u || shape.kind == ShapeKind::kTriangle ? shape.last_column(r) : shape.n;
   for (int k = 0; k <= last; ++k) {
     row.push_back(coefficients[static_cast<size_t>(by_u ? shape.index(r, k) : shape.index(k, r))]);
   }
@@ -97,7 +92,7 @@ std::vector<Rational> row_of(const Shape& shape, const std::vector<Rational>& co
 /// by_u: rows of equal i, else of equal j.
 bool has_nonnegative_rows(const Shape& shape, const std::vector<Rational>& coefficients,
                           bool by_u) {
-  const int rows = by_u ? shape.n : degree_in_v(shape, 0);
+  const int rows = by_u ? shape.n : shape.last_column(0);
   for (int r = 0; r <= rows; ++r) {
     if (!is_nonnegative_row(row_of(shape, coefficients, by_u, r))) return false;
   }

@@ -23,14 +23,6 @@ using MovingNet = std::vector<Moving<S>>;
 template <class S>
 using Weights = std::array<S, 3>;
 
-/// Where the blossom of a patch is taken: one weight vector an argument. A triangle or a curve of
-/// degree n takes n in `first`, a tensor patch n in `first` (u) and m in `second` (v). Weights that
-/// sum to 1 are points, those that sum to 0 directions, and the blossom is linear in each.
-template <class S>
-struct PolarArguments {
-  std::span<const Weights<S>> first, second;
-};
-
 /// Blossoms of moving patches in any number type, exact if S is; keeps its scratch.
 template <class S>
 class Polar {
@@ -40,17 +32,21 @@ class Polar {
   explicit Polar(Work* work = nullptr, bool rational = false)
       : work_(work), places_(rational ? kWeight + 1 : kWeight) {}
 
-  /// net: shape.control_count() control points in Shape's order. Valid until the next call.
+  /// net: shape.control_count() control points in Shape's order. One weight vector an argument: a
+  /// triangle or a curve of degree n takes n in `first`, a tensor patch n in `first` (u) and m in
+  /// `second` (v). Weights that sum to 1 are points, those that sum to 0 directions, and the
+  /// blossom is linear in each. Valid until the next call.
   const Moving<S>& operator()(const Shape& shape, const MovingNet<S>& net,
-                              const PolarArguments<S>& at) {
+                              std::span<const Weights<S>> first,
+                              std::span<const Weights<S>> second) {
     net_ = net;
     if (shape.kind == ShapeKind::kTriangle) {
       for (int left = shape.n; left > 0; --left) {
         const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
         for (int i = 0; i < left; ++i) {
           for (int j = 0; j < left - i; ++j) {  // to.index ≤ from.index of all later reads
-            combine(at.first[left - 1],
-                    {from.index(i, j), from.index(i + 1, j), from.index(i, j + 1)}, to.index(i, j));
+            combine(first[left - 1], {from.index(i, j), from.index(i + 1, j), from.index(i, j + 1)},
+                    to.index(i, j));
           }
         }
       }
@@ -60,14 +56,13 @@ class Polar {
       for (int left = shape.m; left > 0; --left) {
         for (int j = 0; j < left; ++j) {
           const int here = shape.index(i, j);
-          combine(at.second[left - 1], {here, here + 1, -1}, here);
+          combine(second[left - 1], {here, here + 1, -1}, here);
         }
       }
     }
     for (int left = shape.n; left > 0; --left) {
       for (int i = 0; i < left; ++i) {
-        combine(at.first[left - 1], {shape.index(i, 0), shape.index(i + 1, 0), -1},
-                shape.index(i, 0));
+        combine(first[left - 1], {shape.index(i, 0), shape.index(i + 1, 0), -1}, shape.index(i, 0));
       }
     }
     return net_[0];

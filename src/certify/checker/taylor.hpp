@@ -109,7 +109,7 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
     const bool triangle = shape.kind == ShapeKind::kTriangle;
     const int most_x = px < 0 ? 0 : std::min(shape.n, max_degree);
     for (int i = 0; i <= most_x; ++i) {
-      const int degree_y = triangle ? shape.n - i : shape.m;
+      const int degree_y = shape.last_column(i);
       const int most_y = py < 0 ? 0 : std::min(degree_y, max_degree - i);
       for (int j = 0; j <= most_y; ++j) {
         std::vector<Weights<S>> first, second;
@@ -121,7 +121,7 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
           first = arguments<S>(shape.n, {S(1) - x, x, S(0)}, i, along);
           second = arguments<S>(shape.m, {S(1) - y, y, S(0)}, j, along);
         }
-        const Moving<S>& b = polar(shape, net, {first, second});
+        const Moving<S>& b = polar(shape, net, first, second);
         const S factor = binomial<S>(shape.n, i) * binomial<S>(degree_y, j);
         std::array<int, 3> power{};
         if (px >= 0) power[static_cast<size_t>(px)] = i;

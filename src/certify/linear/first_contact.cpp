@@ -60,13 +60,8 @@ Integer common_denominator(const Patches& patches) {
 
 }  // namespace
 
-bool is_linear(const Shape& a, const Shape& b) {
-  const auto flat = [](const Shape& s) { return s.kind < ShapeKind::kTensor && s.n <= 1; };
-  return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
-}
-
 std::optional<FirstContact> first_contact(const Patches& patches, const Rational& until) {
-  CCDFUZZ_VERIFY(is_linear(patches[0].shape, patches[1].shape) && until >= 0);
+  CCDFUZZ_VERIFY(is_linear_pair(patches[0].shape, patches[1].shape) && until >= 0);
   const Integer denominator = common_denominator(patches);
   std::optional<FirstContact> first;
   for (const Corners& corners : triangles_of(patches[0].shape, patches[1].shape)) {
@@ -106,12 +101,6 @@ std::array<Uv<Rational>, 2> parameters_at(const Patches& patches, const Corners&
     uv[s] = parameters_with_weights(patches[s], uv[s]);
   }
   return uv;
-}
-
-Witness witness_of(const Patches& patches, const FirstContact& contact) {
-  CCDFUZZ_VERIFY(contact.time.is_rational());
-  const Rational& t = contact.time.lo();
-  return {t, parameters_at(patches, contact.corners, t)};
 }
 
 }  // namespace ccdfuzz::linear

@@ -10,12 +10,9 @@
 
 namespace ccdfuzz::linear {
 
-/// True iff first_contact speaks of these shapes: points, curves of degree 1 and triangles of
-/// degree 1, with at most two parameters in all. So: vertex-face and edge-edge, and what they
-/// degenerate to.
-bool is_linear(const Shape& a, const Shape& b);
+/// True iff first_contact speaks of the patches.
 inline bool is_linear(const Query& query) {
-  return is_linear(query.patches[0].shape, query.patches[1].shape);
+  return is_linear_pair(query.patches[0].shape, query.patches[1].shape);
 }
 
 /// The exact first contact of a linear query.
@@ -47,9 +44,5 @@ std::optional<FirstContact> first_contact(const Query& query);
 std::array<Uv<Rational>, 2> parameters_at(const std::array<MovingPatch<Rational>, 2>& patches,
                                           const std::array<std::array<int, 2>, 3>& corners,
                                           const Rational& t);
-
-/// The exact witness of a contact at a rational time. Requires contact.time.is_rational().
-Witness witness_of(const std::array<MovingPatch<Rational>, 2>& patches,
-                   const FirstContact& contact);
 
 }  // namespace ccdfuzz::linear

@@ -47,16 +47,12 @@ Polynomial Polynomial::primitive() const {
   return p;
 }
 
-Polynomial& Polynomial::operator+=(const Polynomial& o) {
+Polynomial& Polynomial::combine(const Polynomial& o, decltype(mpz_add)* sum) {
   coefficients_.resize(std::max(coefficients_.size(), o.coefficients_.size()));
-  for (size_t k = 0; k < o.coefficients_.size(); ++k) coefficients_[k] += o.coefficients_[k];
-  trim();
-  return *this;
-}
-
-Polynomial& Polynomial::operator-=(const Polynomial& o) {
-  coefficients_.resize(std::max(coefficients_.size(), o.coefficients_.size()));
-  for (size_t k = 0; k < o.coefficients_.size(); ++k) coefficients_[k] -= o.coefficients_[k];
+  for (size_t k = 0; k < o.coefficients_.size(); ++k) {
+    mpz_ptr c = coefficients_[k].get_mpz_t();
+    sum(c, c, o.coefficients_[k].get_mpz_t());
+  }
   trim();
   return *this;
 }

@@ -30,14 +30,16 @@ class Polynomial {
   /// This over the greatest common divisor of its coefficients, which is positive.
   Polynomial primitive() const;
 
-  Polynomial& operator+=(const Polynomial& o);
-  Polynomial& operator-=(const Polynomial& o);
+  Polynomial& operator+=(const Polynomial& o) { return combine(o, mpz_add); }
+  Polynomial& operator-=(const Polynomial& o) { return combine(o, mpz_sub); }
   friend Polynomial operator+(Polynomial a, const Polynomial& b) { return a += b; }
   friend Polynomial operator-(Polynomial a, const Polynomial& b) { return a -= b; }
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   friend bool operator==(const Polynomial&, const Polynomial&) = default;
 
  private:
+  /// sum: mpz_add or mpz_sub.
+  Polynomial& combine(const Polynomial& o, decltype(mpz_add)* sum);
   void trim();
 
   std::vector<Integer> coefficients_;

@@ -96,6 +96,22 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
   return std::isfinite(least) ? least : 0;
 }
 
+/// `more` and how deep two hulls overlap, or `more` less their distance. The first is swept in some
+/// directions, from where it is `first`. Nothing where they overlap and have too many pairs of
+/// points.
+std::optional<double> depth_and(double more, const Hull& swept, const Hull& first, const Hull& rest,
+                                std::vector<Vec3<Dyadic>> directions, bool in_plane) {
+  NearestPoints nearest;
+  const Rational squared = nearest(rational(swept), rational(rest)).squared;
+  if (squared > 0) return more - round_up(root_above(squared));
+  if (first.size() * rest.size() > kMostPairs) return std::nullopt;
+  add_directions(first, directions);
+  add_directions(rest, directions);
+  // In a plane, an edge and what is at right angles to the plane make a facet.
+  const std::vector<Vec3<Dyadic>> upwards = {exact_dyadic({0, 0, 1})};
+  return more + overlap_of(swept, rest, directions, in_plane ? upwards : directions);
+}
+
 /// The depth of overlap at one time, less what rounding their points could add.
 std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
   std::array<PointsAt, 2> points;
@@ -125,15 +141,7 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
       hulls[s].push_back({Dyadic(p[0], step), Dyadic(p[1], step), Dyadic(p[2], step)});
     }
   }
-  NearestPoints nearest;
-  const Rational squared = nearest(rational(hulls[0]), rational(hulls[1])).squared;
-  const double radii = round_down(reach) - rounding;
-  if (squared > 0) return radii - round_up(root_above(squared));
-  if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;
-  std::vector<Vec3<Dyadic>> directions;
-  for (const Hull& hull : hulls) add_directions(hull, directions);
-  const std::vector<Vec3<Dyadic>> upwards = {exact_dyadic({0, 0, 1})};
-  return radii + overlap_of(hulls[0], hulls[1], directions, in_plane ? upwards : directions);
+  return depth_and(round_down(reach) - rounding, hulls[0], hulls[0], hulls[1], {}, in_plane);
 }
 
 /// The deepest of some times.
@@ -169,22 +177,8 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
   for (const Vec3<Dyadic>& p : first) swept.push_back(p + way);
   Rational reach = exact(query.separation);
   for (const MovingPatch<double>& body : query.patches) reach += exact(body.radius);
-  const double radii = round_down(reach);
-  NearestPoints nearest;
-  const Rational squared = nearest(rational(swept), rational(rest)).squared;
-  double depth = 0;
-  if (squared > 0) {
-    depth = radii - round_up(root_above(squared));
-  } else {
-    if (first.size() * rest.size() > kMostPairs) return std::nullopt;
-    std::vector<Vec3<Dyadic>> directions = {way};
-    add_directions(first, directions);
-    add_directions(rest, directions);
-    // In a plane, an edge and what is at right angles to the plane make a facet.
-    const std::vector<Vec3<Dyadic>> upwards = {exact_dyadic({0, 0, 1})};
-    depth = radii + overlap_of(swept, rest, directions, in_plane ? upwards : directions);
-  }
-  return std::max(0.0, kRoundings * depth);
+  const auto depth = depth_and(round_down(reach), swept, first, rest, {way}, in_plane);
+  return depth ? std::optional(std::max(0.0, kRoundings * *depth)) : depth;
 }
 
 }  // namespace ccdfuzz

@@ -32,24 +32,6 @@ Axis to_double(const TreeAxis& l) {
   return {static_cast<double>(l[0]), static_cast<double>(l[1]), static_cast<double>(l[2])};
 }
 
-/// Extents of a net on axis l at two times, each value rounded as HeightErrorBound assumes.
-RangePair extents(const double* net, int count, const Axis& l, double t0, double t1) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}, {{t0, t1}, 0}};
-  for (int i = 0; i < count; ++i, net += kPerPoint) {
-    const auto along = [&](const double* x) { return (l[0] * x[0] + l[1] * x[1]) + l[2] * x[2]; };
-    double position = along(net), velocity = along(net + 4);
-    if (const double weight = net[kWeightPlace]; weight != 0) {
-      position /= weight;
-      velocity /= weight;
-    }
-    const double x0 = velocity * t0 + position, x1 = velocity * t1 + position;
-    r.at_lo = {std::min(r.at_lo.min, x0), std::max(r.at_lo.max, x0)};
-    r.at_hi = {std::min(r.at_hi.min, x1), std::max(r.at_hi.max, x1)};
-  }
-  return r;
-}
-
 /// Calls visit(axis) on the candidates that are not zero, until it returns true.
 template <class Visit>
 bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Axis& first,
@@ -57,7 +39,7 @@ bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Axis& 
   CandidateAxes candidates(a, b, first);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const Axis l = {batch->axes[0][lane], batch->axes[1][lane], batch->axes[2][lane]};
+      const Axis l = axis_of(*batch, lane);
       if (norm1(l) > 0 && visit(l)) return true;
     }
   }
@@ -123,9 +105,15 @@ class Builder {
                             query_.roundings + roundings + kOfTime, query_.separation)
         .for_axis(l);
   }
-  Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
+  HeightLines lines_of(const Pair& pair, const Axis& l) const {
+    return {{{trees_[0].net(pair.cells[0]), trees_[1].net(pair.cells[1])},
+             {trees_[0].count(), trees_[1].count()}},
+            l};
+  }
+  Gaps gaps(const HeightLines& lines, std::uint64_t lo, std::uint64_t hi) const {
+    const Window w{time(lo), time(hi)};
     const auto of = [&](int s) {
-      return extents(trees_[s].net(pair.cells[s]), trees_[s].count(), l, time(lo), time(hi));
+      return RangePair{lines.extent(s, w.lo), lines.extent(s, w.hi), {w, 0}};
     };
     return {of(0), of(1)};
   }
@@ -136,7 +124,7 @@ class Builder {
     for (const int bits : kBits) {
       TreeAxis axis = rounded(l, bits);
       const Axis exact_axis = to_double(axis);
-      const Gaps g = gaps(pair, exact_axis, lo, hi);
+      const Gaps g = gaps(lines_of(pair, exact_axis), lo, hi);
       const double e = bound(pair, exact_axis);
       for (int sign = 0; sign < 2; ++sign) {
         if (!(g.at_lo[sign] < -e && g.at_hi[sign] < -e)) continue;
@@ -150,10 +138,8 @@ class Builder {
   }
 
   /// What of the window's ends the axis separates, if it is more than the best so far.
-  void try_cut(const Pair& pair, const Axis& l, const Gaps& g, double e, Cut& best) const {
-    const NetPair nets = {{trees_[0].net(pair.cells[0]), trees_[1].net(pair.cells[1])},
-                          {trees_[0].count(), trees_[1].count()}};
-    const HeightLines lines(nets, l);
+  void try_cut(const Pair& pair, const Axis& l, const HeightLines& lines, const Gaps& g, double e,
+               Cut& best) const {
     for (int sign = 0; sign < 2; ++sign) {
       const bool low = g.at_lo[sign] < -e;
       if (!low && !(g.at_hi[sign] < -e)) continue;
@@ -190,13 +176,16 @@ class Builder {
     Cut cut;
     std::optional<TreeAxis> found;
     const auto try_axis = [&](const Axis& l) {
-      const Gaps g = gaps(pair, l, pair.lo, pair.hi);
+      const HeightLines lines = lines_of(pair, l);
+      const Gaps g = gaps(lines, pair.lo, pair.hi);
       const double e = bound(pair, l);
       if (g.separated(e)) {
         found = certified_axis(pair, l, pair.lo, pair.hi);
         if (found) return true;
       }
-      if (pair.lo < pair.hi && g.separated_at_an_end(e) && until_ > 0) try_cut(pair, l, g, e, cut);
+      if (pair.lo < pair.hi && g.separated_at_an_end(e) && until_ > 0) {
+        try_cut(pair, l, lines, g, e, cut);
+      }
       return false;
     };
     if (norm1(pair.hint) > 0 && try_axis(pair.hint)) return leaf(*found);
@@ -230,9 +219,8 @@ class Builder {
       if (tree.depth(pair.cells[s]) >= Cell::kMaxDepth) continue;
       double size = 0;
       for (size_t k = 0; k < 3; ++k) {
-        const RangePair r = extents(tree.net(pair.cells[s]), tree.count(),
-                                    coordinate_axis(static_cast<int>(k)), t, t);
-        size = std::max(size, r.at_lo.max - r.at_lo.min);
+        const Range range = lines_of(pair, coordinate_axis(static_cast<int>(k))).extent(s, t);
+        size = std::max(size, range.max - range.min);
       }
       if (size > largest) largest = size, side = s;
     }

@@ -29,13 +29,9 @@ void keep_better_clearance(const Case& value, const Result<std::string>& tree, D
   if (!own) return;
   if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
   found.truth.clearance = own;
-  found.truth.clear_until = until_of(*own);
   found.tree.clear();
   if (std::holds_alternative<MissTree>(*own)) found.tree = *tree;
-  if (covers(*own, exact(value.query.t_max))) {
-    found.truth.collides = false;
-    found.truth.proof = proof_word(*own);
-  }
+  conclude(value.query, found.truth);
 }
 
 }  // namespace

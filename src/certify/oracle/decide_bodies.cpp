@@ -19,16 +19,13 @@ namespace {
 Rational shortened(const Rational& x) {
   const size_t num = bits_of(x.get_num()), den = bits_of(x.get_den());
   if (num + den <= 4 * kTimeBits) return x;
-  const auto shift = static_cast<long>(den) - static_cast<long>(num) + kTimeBits;
-  const Rational unit = power_of_two(static_cast<int>(-shift));
-  const Rational scaled = x / unit;
-  return Rational(Integer(scaled.get_num() / scaled.get_den())) * unit;
+  const auto top = static_cast<long>(num) - static_cast<long>(den);
+  return rounded_down(x, power_of_two(top - kTimeBits));
 }
 
 class DecidingBodies {
  public:
-  DecidingBodies(const Query& query, const OracleOptions& options)
-      : query_(query), options_(options), t_max_(exact(query.t_max)) {
+  explicit DecidingBodies(const Query& query) : t_max_(exact(query.t_max)) {
     const auto a = exact_patch<Rational>(query.patches[0]);
     const auto b = exact_patch<Rational>(query.patches[1]);
     points_ = {a.positions, b.positions};
@@ -60,15 +57,11 @@ class DecidingBodies {
   bool is_contact(const Found& found) const { return found.squared <= reach_ * reach_; }
 
   void say_clear(const Rational& until, const Vec3<Rational>& normal, bool closed) {
-    out_.truth.clear_until = until;
     out_.truth.clearance = BodyClearance{until, {normal[0], normal[1], normal[2]}, closed};
   }
 
   void say_contact(const Rational& t, const Found& found) {
-    out_.truth.collides = true;
     out_.truth.witness = Witness{t, {}, found.weights};
-    const auto& known = options_.known;
-    if (known && known->t < t) out_.truth.witness = known;
   }
 
   /// Otherwise a contact is known, by which the first has come.
@@ -80,8 +73,6 @@ class DecidingBodies {
     Found found = nearest(points_[0], swept);
     if (!is_contact(found)) {
       say_clear(t_max_, found.way, true);
-      out_.truth.collides = false;
-      out_.truth.proof = proof_word(*out_.truth.clearance);
       return true;
     }
     std::vector<Rational>& weights = found.weights[1];
@@ -160,8 +151,6 @@ class DecidingBodies {
     if (dot(found.way, velocity_) <= 0) say_clear(t, found.way, false);
   }
 
-  const Query& query_;
-  const OracleOptions& options_;
   const Rational t_max_;
   std::array<Points<Rational>, 2> points_;
   Vec3<Rational> velocity_;  ///< patch 2 relative to patch 1
@@ -173,16 +162,15 @@ class DecidingBodies {
 };
 
 /// The least over the faces of a mesh that are there.
-Decision decide_mesh(const Query& query, const OracleOptions& options) {
+Decision decide_mesh(const Query& query) {
   const size_t side = mesh_side(query);
   Decision out;
-  out.truth.collides = false;
   MeshClearance clear{exact(query.t_max), {}, true};
   bool are_clear = true;
   std::optional<Witness>& first = out.truth.witness;
   for (const size_t face : faces_there(query)) {
     const Query part = of_face(query, face);
-    Decision found = DecidingBodies(part, {}).run();
+    Decision found = DecidingBodies(part).run();
     out.pops += found.pops;
     if (const auto& clearance = found.truth.clearance) {
       const auto& [until, normal, closed] = std::get<BodyClearance>(*clearance);
@@ -194,7 +182,6 @@ Decision decide_mesh(const Query& query, const OracleOptions& options) {
     }
     std::optional<Witness>& witness = found.truth.witness;
     if (!witness || (first && first->t <= witness->t)) continue;
-    out.truth.collides = true;
     std::vector<Rational> weights(query.patches[side].positions.size());
     for (size_t i = 0; i < 3; ++i) {
       const int corner = query.patches[side].faces[face][i];
@@ -203,21 +190,19 @@ Decision decide_mesh(const Query& query, const OracleOptions& options) {
     witness->weights[side] = std::move(weights);
     first = std::move(witness);
   }
-  if (options.known && first && options.known->t < first->t) first = options.known;
-  if (are_clear) {
-    out.truth.clear_until = clear.until;
-    out.truth.clearance = std::move(clear);
-    if (!*out.truth.collides) out.truth.proof = proof_word(*out.truth.clearance);
-  }
+  if (are_clear) out.truth.clearance = std::move(clear);
   return out;
 }
 
 }  // namespace
 
 Decision decide_bodies(const Query& query, const OracleOptions& options) {
-  if (has_mesh(query)) return decide_mesh(query, options);
-  if (has_turns(query)) return decide_turning(query, options);
-  return DecidingBodies(query, options).run();
+  if (!has_mesh(query) && has_turns(query)) return decide_turning(query, options);
+  Decision out = has_mesh(query) ? decide_mesh(query) : DecidingBodies(query).run();
+  std::optional<Witness>& witness = out.truth.witness;
+  if (options.known && witness && options.known->t < witness->t) witness = options.known;
+  conclude(query, out.truth);
+  return out;
 }
 
 }  // namespace ccdfuzz

@@ -12,16 +12,16 @@ namespace {
 
 /// Narrows the contact's time until its polynomial proves the contact to the checker. It does in
 /// the end: what is not 0 at the root has a sign by its Bernstein coefficients on a short interval.
-ContactRoot provable_root(const Query& query, linear::RealRoot& time) {
+/// Nothing if the time turns out to be rational.
+std::optional<ContactRoot> provable_root(const Query& query, linear::RealRoot& time) {
   constexpr int kMostRounds = 64;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostRounds && !time.is_rational(); ++round) {
     const ContactRoot root{time.polynomial().coefficients(), time.lo(), time.hi()};
     if (check_contact_root(query, root)) return root;
     time.narrow((time.hi() - time.lo()) * power_of_two(-64));
-    if (time.is_rational()) break;
   }
   CCDFUZZ_VERIFY(time.is_rational());
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -35,28 +35,25 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
   Decision out;
   Truth& truth = out.truth;
   auto contact = linear::first_contact(patches, until);
-  truth.collides = false;
   if (!contact) {
     truth.clearance = LinearClearance{until, true};
   } else {
     linear::RealRoot& time = contact->time;
     time.narrow(until * power_of_two(-64));
-    truth.collides = time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()})) <= 0;
-    if (!time.is_rational()) truth.contact_root = provable_root(query, time);
+    time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));  // now t_max is outside
+    truth.contact_root = provable_root(query, time);
+    const auto uv = linear::parameters_at(patches, contact->corners, time.lo());
     if (time.is_rational()) {
-      truth.contact_root.reset();
-      truth.witness = linear::witness_of(patches, *contact);
+      truth.witness = Witness{time.lo(), uv};
       if (time.lo() > 0) truth.clearance = LinearClearance{time.lo(), false};
     } else {
       truth.clearance = LinearClearance{time.lo(), true};
     }
-    const auto uv = linear::parameters_at(patches, contact->corners, time.lo());
     for (size_t s = 0; s < 2; ++s) {
       for (size_t k = 0; k < 2; ++k) out.uv[s][k] = round_down(uv[s][k]);
     }
   }
-  if (truth.clearance) truth.clear_until = until_of(*truth.clearance);
-  if (truth.collides == false) truth.proof = proof_word(*truth.clearance);
+  conclude(query, truth);
   return out;
 }
 

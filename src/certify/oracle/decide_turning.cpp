@@ -42,22 +42,14 @@ class DecidingTurning {
   }
 
   Decision run() {
-    if (options_.apart_along && add_plane(seen_along(0), seen_along(t_max_))) {
-      out_.truth.collides = false;
-    } else {
-      approach();
-    }
+    if (!options_.apart_along || !add_plane(seen_along(0), seen_along(t_max_))) approach();
     if (spent_ > kMostWork) {
       out_.truth = {};
       out_.note = check_body_planes(query_, planes_).error().message();
       return std::move(out_);
     }
-    Truth& truth = out_.truth;
-    if (!planes_.planes.empty()) {
-      truth.clear_until = planes_.until;
-      truth.clearance = planes_;
-    }
-    if (truth.collides == false) truth.proof = proof_word(*truth.clearance);
+    if (!planes_.planes.empty()) out_.truth.clearance = planes_;
+    conclude(query_, out_.truth);
     return std::move(out_);
   }
 
@@ -171,10 +163,7 @@ class DecidingTurning {
         level = 1;
       } else if (add_plane(here, there)) {
         here = std::move(there);
-        if (!late_ && here.t == t_max_) {
-          out_.truth.collides = false;
-          return;
-        }
+        if (!late_ && here.t == t_max_) return;
         level = level > 0 ? std::min(2 * level, kBracketBits + 2) : level + 1;
       } else if (witness_ && options_.wanted_clear && here.t >= *options_.wanted_clear) {
         break;
@@ -240,7 +229,6 @@ class DecidingTurning {
     const Rational later = std::min(t_max_, Rational(t + t * power_of_two(-kBracketBits)));
     if (!witness_) witness_ = witness_of_spin(later);
     out_.truth.witness = witness_;
-    if (witness_) out_.truth.collides = true;
     if (!witness_) out_.note = "the bodies are not seen to overlap by more than rounding";
   }
 
@@ -259,7 +247,6 @@ class DecidingTurning {
       if (is_proven) witness_ = Witness{t, {}, found.weights};
     }
     out_.truth.witness = witness_;
-    if (witness_) out_.truth.collides = true;
     if (!witness_) out_.note = "the bodies touch by a time at which their points are not rational";
   }
 

@@ -35,7 +35,7 @@ std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational
         v(static_cast<size_t>(shape.m), {Rational(1 - uv[1]), uv[1], 0});
     if (first != nullptr) u[0] = *first;
     if (second != nullptr) v[0] = *second;
-    return polar(shape, net, {u, v});
+    return polar(shape, net, u, v);
   };
   const Moving<Rational> here = value(nullptr, nullptr);
   const auto add = [&](const Weights<Rational>* first, const Weights<Rational>* second) {

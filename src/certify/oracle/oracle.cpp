@@ -36,18 +36,7 @@ class Deciding {
     }
     search();
     prove_clear();
-    Truth& truth = out_.truth;
-    if (truth.witness || truth.contact_box) truth.collides = true;
-    if (truth.clearance) {
-      truth.clear_until = until_of(*truth.clearance);
-      if (covers(*truth.clearance, exact(query_.t_max))) {
-        CCDFUZZ_VERIFY(truth.collides != true);  // else a proof of ours is wrong
-        truth.collides = false;
-        truth.proof = proof_word(*truth.clearance);
-      }
-    }
-    if (truth.collides) out_.note.clear();
-    if (!truth.collides && out_.note.empty()) out_.note = "no certificate found";
+    conclude(query_, out_.truth);
     return std::move(out_);
   }
 
@@ -167,10 +156,6 @@ class Deciding {
   bool missed_ = false;
 };
 
-}  // namespace
-
-namespace {
-
 Decision undecided(const InputError& why, std::uint64_t pops) {
   Decision decision;
   decision.pops = pops;
@@ -180,14 +165,31 @@ Decision undecided(const InputError& why, std::uint64_t pops) {
 
 }  // namespace
 
+void conclude(const Query& query, Truth& truth) {
+  const Rational t_max = exact(query.t_max);
+  const std::optional<Rational> contact = truth.contact_by();
+  if (contact && *contact <= t_max) truth.collides = true;
+  if (!truth.clearance) return;
+  truth.clear_until = until_of(*truth.clearance);
+  if (!covers(*truth.clearance, t_max)) return;
+  CCDFUZZ_VERIFY(truth.collides != true);  // else a proof of ours is wrong
+  truth.collides = false;
+  truth.proof = proof_word(*truth.clearance);
+}
+
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
-  const Decision found = is_of_bodies(query) ? decide_bodies(query, options)
-                         : linear::is_linear(query) && query.separation == 0 && !is_trimmed(query)
-                             ? decide_linear(query, options)
-                             : Deciding(query, options).run();
+  Decision found = is_of_bodies(query) ? decide_bodies(query, options)
+                   : linear::is_linear(query) && query.separation == 0 && !is_trimmed(query)
+                       ? decide_linear(query, options)
+                       : Deciding(query, options).run();
+  if (found.truth.collides) {
+    found.note.clear();
+  } else if (found.note.empty()) {
+    found.note = "no certificate found";
+  }
   // Nothing leaves the oracle that the checker does not accept, or that takes it too long. Planes
   // between bodies it accepted one by one, as they were found.
   Result<void> checked = check_truth({query, found.truth, {}, {}});

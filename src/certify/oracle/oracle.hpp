@@ -41,6 +41,10 @@ struct Decision {
   std::string note;  ///< why it is undecided
 };
 
+/// Makes a truth say what its certificates prove of a query: collides, clear_until and the word for
+/// the proof.
+void conclude(const Query& query, Truth& truth);
+
 /// Decides a query and proves the decision. tdibm-c finds what is to be proven, and tdibm-rational
 /// where that stays undecided. A contact is proven by W or M, absence by P or T. Linear queries are
 /// decided exactly (decide_linear), by W or R and L; bodies by W and K (decide_bodies),
