@@ -32,6 +32,7 @@ TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
     options.cases = 2;
     options.threads = threads;
     options.seed = 3;
+    options.search.max_pops = 2000;
     const std::vector<NamedCase> entries = Hunted(options).store.load().value();
     std::string finds;
     for (const NamedCase& find : entries) finds += to_json(find.value);
