@@ -71,14 +71,14 @@ Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
 }
 
 /// Steps II and III in exact arithmetic against all pairs of lines. There f + g < 0 holds from the
-/// last root of a falling pair to the first root of a rising one. Lines of whole numbers often
-/// cross in one point, or at an end of the window.
+/// last root of a falling pair to the first root of a rising one. Lines of small whole numbers
+/// often cross in one point, or at an end of the window.
 void check_steps_are_exact(Draw& d) {
   LinePairs pairs = draw_line_pairs(d);
   const bool is_whole = d.coin();
   for (auto* lines : {&pairs.f, &pairs.g}) {
     for (Line<double>& line : *lines) {
-      if (is_whole) line = {std::nearbyint(line.slope), std::nearbyint(line.intercept)};
+      if (is_whole) line = {std::nearbyint(line.slope / 4), std::nearbyint(line.intercept / 4)};
     }
   }
   const TimeWindow<Rational> w{exact(pairs.window.lo), exact(pairs.window.hi)};
