@@ -176,7 +176,7 @@ void check_doubles(Draw& d) {
   const double apart = d.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10});
   const Vec3<double> gap = apart * full_vector(d);
   for (Vec3<double>& p : query.patches[0].positions) p += gap;
-  const double speed = d.pick(std::array{1.0, 8.0, 64.0});
+  const double speed = apart == 0 ? d.pick(std::array{1.0, 8.0, 64.0}) : 1;
   begin_before(query, -0.5);
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v *= speed;

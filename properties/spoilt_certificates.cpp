@@ -66,9 +66,9 @@ Rational draw_late(Draw& choices, const Rational& contact) {
 
 /// A tree that is another with some of its bytes changed, or says that a whole patch is outside of
 /// its trim, or any bytes.
-std::string draw_tree(Draw& choices, const std::string& model) {
+std::string draw_tree(Draw& choices, const std::string& model, bool is_trimmed) {
   constexpr std::size_t kLongest = 400;
-  if (choices.choose(7) == 7) {
+  if (is_trimmed && choices.coin()) {
     TreeBits bits;
     bits.outside(choices.coin() ? 1 : 0);
     return bits.bytes();
@@ -85,7 +85,7 @@ std::string draw_tree(Draw& choices, const std::string& model) {
 void check_wrong_tree(Draw& d) {
   const auto [known, model] = draw_proven_contact(d);
   const Rational until = draw_late(d, *known.truth.contact_by());
-  const std::string tree = draw_tree(d, model);
+  const std::string tree = draw_tree(d, model, is_trimmed(known.query));
   show(d, "until", until);
   show(d, "tree", AsHex{tree});
   show(d, "contact", known);
