@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -177,6 +178,7 @@ class Search {
  public:
   /// parts: what the inclusion is made of.
   template <class... Parts>
+  requires std::constructible_from<Inclusion, Parts...>
   explicit Search(Parts&&... parts) : inclusion_(std::forward<Parts>(parts)...) {}
 
   const Inclusion& inclusion() const { return inclusion_; }

@@ -6,18 +6,34 @@
 
 #include "bezier/restrict.hpp"
 #include "ccd/separation.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Steps I and II for one patch: its upper envelope along the axis.
+/// Steps I and II for one patch in one direction: sign −1 stands for the lower envelope.
 template <class Policy>
 std::unique_ptr<Lines<double>> envelope(const Policy& policy, const MovingPatch<double>& part,
                                         const LargestComponents& extent, const Axis& axis,
-                                        const Window& w) {
+                                        double sign, const Window& w) {
+  std::vector<Line<double>> heights;
+  for (size_t i = 0; i < part.positions.size(); ++i) {
+    heights.push_back({sign * dot(axis.direction, part.velocities[i]),
+                       sign * dot(axis.direction, part.positions[i])});
+  }
   Lines<double> lines;
-  project({part.shape, part.positions, part.velocities}, axis, lines);
+  // Overflow leaves NaN, which has no place in an order, and std::sort must not see.
+  const bool ordered = std::ranges::none_of(heights, [](const Line<double>& line) {
+    return std::isnan(line.slope) || std::isnan(line.intercept);
+  });
+  if (ordered) {
+    std::ranges::sort(heights, [](const Line<double>& x, const Line<double>& y) {
+      return x.slope < y.slope || (x.slope == y.slope && x.intercept < y.intercept);
+    });
+  }
+  for (const Line<double>& line : heights) lines.push_back(line);
+  if (!ordered) sort_lines(lines);
   double error = 0;
   if constexpr (Policy::kBoundsErrors) {
     error = policy.envelope_error(lines, coefficient_error(part.shape, extent, axis), w.hi);
@@ -63,10 +79,8 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
     if (axis.is_zero()) continue;
     for (size_t below = 0; below < 2; ++below) {
       const size_t above = 1 - below;
-      // The negated lower envelope is the upper one the other way round.
-      const Axis back = {-axis.direction, axis.stage};
-      const auto f = envelope(policy_, parts[below], extents_[below], axis, wide);
-      const auto g = envelope(policy_, parts[above], extents_[above], back, wide);
+      const auto f = envelope(policy_, parts[below], extents_[below], axis, 1, wide);
+      const auto g = envelope(policy_, parts[above], extents_[above], axis, -1, wide);
       auto found = separation(policy_, *f, *g, wide);
       if (found && reading_.window_margin > 0) found = clipped_to(window, *found);
       if (!found) continue;

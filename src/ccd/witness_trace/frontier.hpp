@@ -7,8 +7,8 @@
 
 namespace ccdfuzz {
 
-/// The most pairs of one level that contain a witness. At most six cells of a triangle meet in a
-/// point, at most four of a tensor patch; and two halves of a window in a time.
+/// Room for the pairs of one level that contain a witness. At most six cells of a triangle meet in
+/// a point, at most four of a tensor patch; and two halves of a window in a time.
 inline constexpr size_t kMostOfLevel = 6 * 6 * 2;
 
 /// The pairs of children that contain a witness: all of them, or the lowest of each patch alone.
