@@ -54,7 +54,8 @@ constexpr DoubleParts parts_of(double x) {
   return {bits >> 63 != 0 ? -static_cast<std::int64_t>(m) : static_cast<std::int64_t>(m), exponent};
 }
 
-/// The double mantissa·2^exponent. Requires that there is one, and |mantissa| ≤ 2^53.
+/// The double mantissa·2^exponent. Requires that there is one, and |mantissa| ≤ 2^53. 2^53·2^971 is
+/// infinity.
 constexpr double double_of(std::int64_t mantissa, int exponent) {
   if (mantissa == 0) return 0;
   auto m = static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa);

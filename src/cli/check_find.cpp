@@ -79,6 +79,8 @@ std::string claims_in(const std::string& corpus) {
 }
 
 bool is_claims_folder(const std::string& path) {
+  const auto entries = list_entries(path);
+  if (entries && !entries->empty()) return read_find(entries->front()).has_value();
   const auto plain = std::filesystem::path(path).lexically_normal();
   std::error_code none;
   return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims &&

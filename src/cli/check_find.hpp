@@ -78,8 +78,9 @@ struct ClaimFind {
 
 /// Where the finds of claims are in a corpus or a folder of finds.
 std::string claims_in(const std::string& corpus);
-/// Whether the path is that of such a folder itself, by its name (kClaims). A corpus may have that
-/// name, too, and has one inside.
+/// Whether the path is that of such a folder itself: the first entry in it is a find of a claim.
+/// Where there is none, by its name (kClaims). A corpus may have that name, too, and has one
+/// inside.
 bool is_claims_folder(const std::string& path);
 
 /// The find in a file. Errors: it cannot be read, or is no find.

@@ -49,19 +49,21 @@ int complain(const std::string& message, int code, const std::string& command = 
   return code;
 }
 
-int complain_of_ourselves(const std::exception& error) {
-  return complain(fmt::format("internal error: {}", error.what()), kInternal);
+int complain_of_ourselves(const char* what) {
+  return complain(fmt::format("internal error: {}", what), kInternal);
 }
 
 /// A thread that is not ours may throw, as TBB's do where the system starts no more of them.
 [[noreturn]] void end_on_uncaught() {
+  remove_unfinished_files();
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    complain_of_ourselves("terminated without an exception");
   } catch (const std::exception& error) {
-    complain_of_ourselves(error);
+    complain_of_ourselves(error.what());
   } catch (...) {
+    complain_of_ourselves("an exception of an unknown type");
   }
-  remove_unfinished_files();
   ::_exit(kInternal);
 }
 
@@ -355,7 +357,7 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   try {
     return parse_and_run_chosen(argc, argv);
   } catch (const std::exception& error) {
-    return complain_of_ourselves(error);
+    return complain_of_ourselves(error.what());
   }
 }
 

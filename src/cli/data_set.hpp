@@ -21,6 +21,9 @@ class DataSetWriter {
   /// Standard output then takes cases alone (leave_stdout_to). Errors: as CaseWriter::open.
   static Result<DataSetWriter> open(const std::string& path) {
     CCDFUZZ_TRY(CaseWriter writer, CaseWriter::open(path));
+    for (const char* ending : {kTreesEnding, kCostsEnding}) {
+      if (!is_stream(path)) CCDFUZZ_TRY_VOID(refuse_read_only(path_beside(path, ending)));
+    }
     leave_stdout_to(path);
     return DataSetWriter(std::move(writer), path);
   }

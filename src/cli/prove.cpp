@@ -87,7 +87,7 @@ int run_prove(const ProveOptions& options, Session& session) {
   if (session.interrupted()) {
     return session.end_unwritten("prove", cases, "cases", options.output);
   }
-  need(destination.finish());
+  need(destination.finish(need(read_costs(options.files))));
   std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),
                                     counted(counts["hit"], "hit", "hits"),
                                     counted(counts["miss"], "miss", "misses"), counts["undecided"]);

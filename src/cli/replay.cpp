@@ -143,6 +143,9 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
+    if (of_methods && is_claims_folder(options_.corpus)) {
+      throw BadInput{{options_.corpus, "has claims alone, about which no method is asked"}};
+    }
     if (!of_methods) replay_claims();
     session_.each_case<Replayed>(
         CaseStream(entries()),

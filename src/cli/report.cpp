@@ -56,10 +56,10 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
                        std::numeric_limits<std::uint64_t>::max()};
   const RunHeader header = answers.lines.header();
   SearchFlags search;
-  if (const auto asked = header.asked.find("--precision"); asked != header.asked.end()) {
-    const Result<double> precision = parse_number("", asked->second);
-    if (precision)
-      search.precision = *precision;  // earlier versions wrote words where none was given
+  const auto precision = header.asked.find("--precision");
+  // Earlier versions wrote "the case's own" where none was given.
+  if (precision != header.asked.end() && precision->second != "the case's own") {
+    search.precision = need(parse_number(answers.lines.where(), precision->second));
   }
   for (const std::string& file : header.inputs) need(refuse_irregular(file));
   EvaluateOptions evaluated_as;

@@ -116,6 +116,7 @@ Result<void> remove_beside(const std::string& case_path, std::string_view ending
     if (other != case_path && fs::exists(other, error)) return {};
   }
   const std::string old = path_beside(case_path, ending);
+  CCDFUZZ_TRY_VOID(refuse_read_only(old));
   if (fs::is_regular_file(old, error)) fs::remove(old, error);
   if (error && error != std::errc::no_such_file_or_directory) {
     return system_error(old, "remove", error.value());

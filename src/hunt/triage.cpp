@@ -169,6 +169,7 @@ std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, cons
   if (std::ranges::none_of(forms, is_as_it_stands)) forms.push_back(checked);
   std::optional<Confirmed> best;
   for (const CheckedCase& asked : forms) {
+    if (best && options_.stop()) break;
     auto failure = asker_.failure(method, asked.value());
     if (!failure || (best && failure->setting >= best->failure.setting)) continue;
     best = Confirmed{asked.value(), *std::move(failure)};

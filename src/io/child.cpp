@@ -139,7 +139,7 @@ std::string this_program() {
   std::error_code none;
   const fs::path self = fs::read_symlink("/proc/self/exe", none);
   if (!none) return self.string();
-  return fs::absolute(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), none).string();
+  return fs::canonical(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), none).string();
 }
 
 Result<std::string> find_worker_program() {

@@ -121,6 +121,12 @@ tl::unexpected<InputError> OutputFile::failed(const char* doing, int error) {
   return system_error(path_, doing, error);
 }
 
+Result<void> refuse_read_only(const std::string& path) {
+  const int refused = ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0 ? 0 : errno;
+  if (refused == 0 || refused == ENOENT) return {};
+  return system_error(path, "write", refused);
+}
+
 Result<OutputFile> OutputFile::create(const std::string& path) {
   if (path == "-") return input_error(path, kNoPath);
   OutputFile file;
@@ -147,9 +153,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   }
   resolved = fs::weakly_canonical(resolved, ignored);
   file.target_ = ignored || resolved.empty() ? path : resolved.string();
-  if (fs::exists(status) && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
-    return system_error(path, "write", errno);  // to replace it, the folder alone would be asked
-  }
+  CCDFUZZ_TRY_VOID(refuse_read_only(path));
   const std::string folder = folder_of(file.target_);
   do {
     file.temporary_ = folder + "/" + new_temporary_name();

@@ -16,6 +16,10 @@ bool is_standard_output(const std::string& path);
 /// Whether it is that, a pipe or a device: nothing lies beside it.
 bool is_stream(const std::string& path);
 
+/// Errors: a file is at the path, and may not be written. To replace it, the system would ask its
+/// folder alone.
+Result<void> refuse_read_only(const std::string& path);
+
 /// A file that appears complete or not at all. It is written under a temporary name in the same
 /// folder, flushed to the disk and renamed over its path by commit(). Until then, and for ever if
 /// commit is never reached, the file at the path stays. A device, a pipe and the standard output

@@ -30,8 +30,8 @@ std::map<std::string, std::string> parts_of(const RunHeader& header) {
   return parts;
 }
 
-/// Whether both say the same. Numbers of options may be spelled in several ways, but for whole
-/// ones.
+/// Whether both say the same. A number of an option may be spelled in several ways, but for a whole
+/// one.
 bool are_alike(const std::string& name, const std::string& value, const std::string& other) {
   if (value == other || !name.starts_with("--")) return value == other;
   if (parse_whole("", value) && parse_whole("", other)) return false;
