@@ -49,21 +49,17 @@ int complain(const std::string& message, int code, const std::string& command = 
   return code;
 }
 
-int complain_of_ourselves(const char* what) {
-  return complain(fmt::format("internal error: {}", what), kInternal);
-}
-
 /// A thread that is not ours may throw, as TBB's do where the system starts no more of them.
 [[noreturn]] void end_on_uncaught() {
   remove_unfinished_files();
+  std::string what = "ended by no exception, or an unknown one";
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-    complain_of_ourselves("terminated without an exception");
   } catch (const std::exception& error) {
-    complain_of_ourselves(error.what());
+    what = error.what();
   } catch (...) {
-    complain_of_ourselves("an exception of an unknown type");
   }
+  complain("internal error: " + what, kInternal);
   ::_exit(kInternal);
 }
 
@@ -357,7 +353,7 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   try {
     return parse_and_run_chosen(argc, argv);
   } catch (const std::exception& error) {
-    return complain_of_ourselves(error.what());
+    return complain(fmt::format("internal error: {}", error.what()), kInternal);
   }
 }
 
