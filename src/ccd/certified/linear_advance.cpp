@@ -152,7 +152,7 @@ class ConservativeAdvancement {
                            : in_plane            ? kMostStepsInPlane
                                                  : kMostSteps;
     for (int steps = 0; steps < most_steps; ++steps) {
-      try_axes();
+      differences_.is_face ? try_axes_of_face() : try_axes_of_edges();
       if (clear_) {
         out.kind = Advancement::Kind::kClear;
         return out;
@@ -239,14 +239,6 @@ class ConservativeAdvancement {
                            gap_at(time_),
                            gap_at(query_.t_max),
                            e});
-    }
-  }
-
-  void try_axes() {
-    if (differences_.is_face) {
-      try_axes_of_face();
-    } else {
-      try_axes_of_edges();
     }
   }
 

@@ -12,22 +12,12 @@ namespace {
 
 constexpr double kEta = std::numeric_limits<double>::denorm_min();
 
-/// The least e with |x| < 2^e for every x given.
-class ExponentRange {
- public:
-  void add(double x) { most_ = std::max(most_, std::abs(x)); }
-  /// Nothing but zeros.
-  bool empty() const { return most_ == 0; }
-  /// Requires one that is not empty.
-  int top() const {
-    int e = 0;
-    std::frexp(most_, &e);
-    return e;
-  }
-
- private:
-  double most_ = 0;
-};
+/// The least e with x < 2^e; of 0 far below all others.
+int top_of(double x) {
+  int e = 0;
+  std::frexp(x, &e);
+  return x > 0 ? e : std::numeric_limits<int>::min() / 4;
+}
 
 /// x·2^exponent as ldexp has it, rounded once where it is subnormal.
 class PowerOfTwo {
@@ -99,7 +89,7 @@ void normalise(const Query& query, NormalisedQuery& out) {
   for (size_t s = 0; s < 2; ++s) {
     out.weights[s] = scaled_weights(query.patches[s], &out.weight_shift[s]);
   }
-  ExponentRange positions, velocities;
+  double position = 0, velocity = 0;  // the largest
   std::array<bool, 2> has_ends{};
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
@@ -112,8 +102,8 @@ void normalise(const Query& query, NormalisedQuery& out) {
         out.controls[s][i][k] = patch.positions[i][k];
         // With t_max = 0 only positions count.
         out.controls[s][i][k + 3] = query.t_max == 0 ? 0.0 : moves[i][k];
-        positions.add(out.controls[s][i][k]);
-        velocities.add(out.controls[s][i][k + 3]);
+        position = std::max(position, std::abs(out.controls[s][i][k]));
+        velocity = std::max(velocity, std::abs(out.controls[s][i][k + 3]));
       }
     }
   }
@@ -122,10 +112,10 @@ void normalise(const Query& query, NormalisedQuery& out) {
   // Stage 1 and 2: away from overflow, then to the centre.
   const bool any_ends = has_ends[0] || has_ends[1];
   const int more = any_ends ? 1 : 0;
-  const auto shift_of = [more](const ExponentRange& range) {
-    return !range.empty() && range.top() > kLargestSafeExponent - more ? 2 + more : 0;
+  const auto shift_of = [more](double largest) {
+    return top_of(largest) > kLargestSafeExponent - more ? 2 + more : 0;
   };
-  int shift_p = shift_of(positions), shift_v = shift_of(velocities);
+  int shift_p = shift_of(position), shift_v = shift_of(velocity);
   if (any_ends) {
     shift_p = shift_v = std::max(shift_p, shift_v);
     centre_ends(out.controls, has_ends, shift_p);
@@ -137,19 +127,17 @@ void normalise(const Query& query, NormalisedQuery& out) {
   out.roundings = any_ends ? 2 : 0;
 
   // Stage 3: the larger of positions and of the ways covered in [0, t_max] to magnitude 1.
-  ExponentRange p, v;
+  double p = 0, v = 0;
   for (const auto& side : out.controls) {
     for (const auto& x : side) {
       for (int k = 0; k < 3; ++k) {
-        p.add(x[k]);
-        v.add(x[k + 3]);
+        p = std::max(p, std::abs(x[k]));
+        v = std::max(v, std::abs(x[k + 3]));
       }
     }
   }
-  int top = std::numeric_limits<int>::min() / 4;
-  if (!p.empty()) top = std::max(top, p.top() + shift_p);
-  if (!v.empty()) top = std::max(top, v.top() + shift_v + out.time);
-  if (p.empty() && v.empty()) top = 0;
+  const bool is_nothing = p == 0 && v == 0;
+  const int top = is_nothing ? 0 : std::max(top_of(p) + shift_p, top_of(v) + shift_v + out.time);
   const int scale_p = shift_p - top, scale_v = shift_v + out.time - top;
   out.space = -top;
   const PowerOfTwo power_p(scale_p), power_v(scale_v);

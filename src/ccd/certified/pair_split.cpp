@@ -92,7 +92,7 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
   const int roundings = std::max(trees_[0].roundings(depths_[0]), trees_[1].roundings(depths_[1]));
   error_ = HeightErrorBound(query_.magnitude, query_.absolute, query_.roundings + roundings,
                             query_.separation);
-  coordinate_.bounds = error_.for_coordinate_axes();
+  coordinate_.bounds = error_.for_axes(coordinate_.axes);
   const std::array<Axis, kLanes> axes = {pair.hint, whole[0].normal, whole[1].normal, Axis{}};
   for (size_t i = 0; i < kLanes; ++i) set_axis(shared_.axes, i, axes[i]);
   shared_.bounds = error_.for_axes(axes);

@@ -70,15 +70,6 @@ class HeightErrorBound {
     return (relative_ * norm1(l) + kLeastAbsolute) * kSlack;
   }
 
-  Bounds for_coordinate_axes() const {
-    Bounds out{{}, made_from_};
-    out.on.fill(for_axis(coordinate_axis(0)));
-#ifndef NDEBUG
-    out.made_from.norms.fill(1);
-#endif
-    return out;
-  }
-
   Bounds for_axes(const std::array<Axis, kLanes>& axes) const {
     Bounds out{{}, made_from_};
     for (size_t i = 0; i < kLanes; ++i) {

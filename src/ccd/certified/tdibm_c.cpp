@@ -62,10 +62,10 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   const certified::NormalisedQuery& normalised = split_.query();
   certified::Tiers& tiers = split_.tiers();
   Answer answer;
+  answer.verdict = Verdict::kMiss;
   const certified::Advancement advanced = certified::advance(normalised);
   if (advanced.kind == certified::Advancement::Kind::kClear) {
     ++tiers.advancement;
-    answer.verdict = Verdict::kMiss;
     return answer;
   }
   const auto hit = [&](double time, double toi) {
@@ -75,23 +75,20 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
                                               std::max(time, std::ldexp(toi, -normalised.time)));
     return answer;
   };
+  const bool stopped = advanced.kind == certified::Advancement::Kind::kStopped;
   if (query.separation > 0) {
     // No polynomial is known whose sign decides: what doubles do not tell from d is a hit.
-    if (advanced.kind == certified::Advancement::Kind::kStopped) return hit(advanced.time, 0);
+    if (stopped) return hit(advanced.time, 0);
     from = advanced.time;
     return std::nullopt;
   }
   // Half the precision is the window's, the rest is more than all roundings.
   const double width = 0.5 * options.precision * normalised.t_max;
   const double before = std::max(0.0, advanced.time - 0.5 * width);
-  const bool stopped = advanced.kind == certified::Advancement::Kind::kStopped;
   const certified::RoughContact rough =
       certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
   tiers.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
-  if (rough.kind == certified::RoughContact::Kind::kNone) {
-    answer.verdict = Verdict::kMiss;
-    return answer;
-  }
+  if (rough.kind == certified::RoughContact::Kind::kNone) return answer;
   if (rough.kind == certified::RoughContact::Kind::kProven) {
     return hit(std::max(rough.time, advanced.time), 0);
   }
@@ -100,14 +97,9 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   const certified::LinearContact contact =
       certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
   ++(contact.is_short ? tiers.short_integers : tiers.long_integers);
-  if (contact.kind == Kind::kNone) {
-    answer.verdict = Verdict::kMiss;
-    return answer;
-  }
+  if (contact.kind == Kind::kNone) return answer;
   if (contact.kind != Kind::kProven) answer.note = kNotProven;
-  if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advancement::Kind::kStopped) {
-    return hit(advanced.time, contact.toi);
-  }
+  if (contact.kind != Kind::kTooWide || stopped) return hit(advanced.time, contact.toi);
   from = advanced.time;
   return std::nullopt;
 }

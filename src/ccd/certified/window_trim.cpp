@@ -44,10 +44,6 @@ HeightLines::Gap HeightLines::gap(int below, double t) const {
   return {most - least, slope_of_most - slope_of_least};
 }
 
-bool HeightLines::is_separated(int below, double t, double bound) const {
-  return extent(below, t).max - extent(1 - below, t).min < -bound;
-}
-
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w) {
   constexpr int kSteps = 4;
@@ -56,7 +52,7 @@ bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_e
   for (int step = 0; step < kSteps; ++step) {
     const HeightLines::Gap gap = lines.gap(sign, t);
     if (gap.height < -bound) {
-      CCDFUZZ_ASSERT(lines.is_separated(sign, t, bound) && seen.lo <= t && t <= seen.hi);
+      CCDFUZZ_ASSERT(seen.lo <= t && t <= seen.hi);
       if (low_end) {
         w.lo = std::max(w.lo, t);
       } else {

@@ -34,12 +34,6 @@ struct Gaps {
     // Laws A and C
     return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
   }
-
-  /// Separated at one end at least, certainly.
-  bool separated_at_an_end(double bound) const {
-    // Law C
-    return at_lo[0] < -bound || at_hi[0] < -bound || at_lo[1] < -bound || at_hi[1] < -bound;
-  }
 };
 
 /// Where the chord through (t0, h0) and (t1, h1), h0 < 0 ≤ h1, reaches zero, rounded towards t0.
@@ -93,9 +87,6 @@ class HeightLines {
   Range extent(int side, double t) const;
   /// below: which side is the lower one, as `sign` in Gaps.
   Gap gap(int below, double t) const;
-  /// Each point of side `below` is lower than each of the other by more than `bound`: for
-  /// assertions.
-  bool is_separated(int below, double t, double bound) const;
 
  private:
   using PerPoint = std::array<double, kMaxControls>;

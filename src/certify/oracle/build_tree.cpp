@@ -183,9 +183,7 @@ class Builder {
         found = certified_axis(pair, l, pair.lo, pair.hi);
         if (found) return true;
       }
-      if (pair.lo < pair.hi && g.separated_at_an_end(e) && until_ > 0) {
-        try_cut(pair, l, lines, g, e, cut);
-      }
+      if (pair.lo < pair.hi && until_ > 0) try_cut(pair, l, lines, g, e, cut);
       return false;
     };
     if (norm1(pair.hint) > 0 && try_axis(pair.hint)) return leaf(*found);
