@@ -43,6 +43,8 @@ class WideInt {
     return any != 0 ? 1 : 0;
   }
 
+  friend constexpr int sgn(const WideInt& x) { return x.sign(); }
+
   /// Within a relative error of 2^-52. No integer of less than 2^960 overflows.
   double approximate() const {
     static_assert(Bits < 960);

@@ -19,13 +19,7 @@ namespace ccdfuzz::exact_ccd {
 template <class Int>
 Int integer_in(const DoubleParts& parts, int unit) {
   if (parts.mantissa == 0) return Int(0);
-  return Int(parts.mantissa) << (parts.exponent - unit);
-}
-template <>
-inline Integer integer_in<Integer>(const DoubleParts& parts, int unit) {
-  Integer out(static_cast<long>(parts.mantissa));
-  if (parts.mantissa != 0) out <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
-  return out;
+  return Int(Int(static_cast<long>(parts.mantissa)) << (parts.exponent - unit));
 }
 
 /// One query in integers of type Int, a WideInt, or Integer for any size. It decides the exact sign
@@ -89,11 +83,11 @@ class ExactScene {
       }
     }
     const int steps = blossom_steps(sides_[lower].shape) - blossom_steps(sides_[upper].shape);
-    if (steps < 0) max = shift(max, -steps * depth);
-    if (steps > 0) min = shift(min, steps * depth);
+    if (steps < 0) max <<= -steps * depth;
+    if (steps > 0) min <<= steps * depth;
     const int most =
         std::max(blossom_steps(sides_[lower].shape), blossom_steps(sides_[upper].shape));
-    return sign_of_gap(max, min, shift(separation_, most * depth), axis);
+    return sign_of_gap(max, min, Int(separation_ << most * depth), axis);
   }
 
  private:
@@ -143,15 +137,6 @@ class ExactScene {
       return sizeof(Int) / sizeof(std::uint64_t);
     }
   }
-  /// The sign of a²·factor − b². The squares have twice the bits, of which a² leaves as many as the
-  /// factor takes: |a·l| < 2^bits_needed for all that is asked.
-  static int sign_of_difference(const Int& a, std::int64_t factor, const Int& b) {
-    if constexpr (std::is_same_v<Int, Integer>) {
-      return sgn(Integer(a * a * static_cast<long>(factor) - b * b));
-    } else {
-      return (a * a * factor - b * b).sign();
-    }
-  }
   /// The control points of a rational patch, homogeneous: of weights, a multiple that is whole.
   void multiply(Side& s, const MovingPatch<double>& patch) {
     if (!patch.is_rational()) return;
@@ -173,12 +158,13 @@ class ExactScene {
   int sign_of_gap(const Int& max, const Int& min, const Int& d, const IntegerAxis& axis) {
     if (separation_ == Int(0)) return max < min ? -1 : max > min ? 1 : 0;
     if (!(max < min)) return 1;
-    // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h².
+    // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h². The squares have twice the bits, of
+    // which d² leaves as many as |l|² takes: |d·l| < 2^bits_needed for all that is asked.
     const Int h = min - max;
-    std::int64_t norm_squared = 0;
+    long norm_squared = 0;
     for (const std::int64_t x : axis.l) norm_squared += x * x;
     work_ += 4 * words_of(h);
-    return sign_of_difference(d, norm_squared, h);
+    return sgn(d * d * norm_squared - h * h);
   }
 
   bool is_beyond(const Height& a, const Height& b, bool above) {
@@ -191,21 +177,10 @@ class ExactScene {
     return above ? a.value > b.value : a.value < b.value;
   }
 
-  static Int shift(const Int& x, int by) {
-    if constexpr (std::is_same_v<Int, Integer>) {
-      return Int(x << static_cast<mp_bitcnt_t>(by));
-    } else {
-      return x << by;
-    }
-  }
   /// x·y, and one addition, as which it counts.
   Int times(const Int& x, std::int64_t y) {
     work_ += words_of(x);
-    if constexpr (std::is_same_v<Int, Integer>) {
-      return Int(x * static_cast<long>(y));
-    } else {
-      return x * y;
-    }
+    return Int(x * static_cast<long>(y));
   }
 
   static Part& part_of(Side& side, const Cell& cell) {

@@ -171,15 +171,11 @@ Extremes Gap::extremes(double t) const {
 double Gap::slope(int below, double t) const {
   const auto lower = static_cast<size_t>(below), upper = 1 - lower;
   int max = 0, min = 0;
-  const auto value = [&](size_t side, int i) {
-    const auto k = static_cast<size_t>(i);
-    return slopes_[side][k] * t + intercepts_[side][k];
-  };
   for (int i = 1; i < selected_[lower].count; ++i) {
-    if (value(lower, i) > value(lower, max)) max = i;
+    if (height(lower, i, t) > height(lower, max, t)) max = i;
   }
   for (int i = 1; i < selected_[upper].count; ++i) {
-    if (value(upper, i) < value(upper, min)) min = i;
+    if (height(upper, i, t) < height(upper, min, t)) min = i;
   }
   return slopes_[lower][static_cast<size_t>(max)] - slopes_[upper][static_cast<size_t>(min)];
 }
@@ -191,10 +187,9 @@ int Gap::exact_sign(int below, double t, const Extremes& at) {
   for (size_t side = 0; side < 2; ++side) {
     const bool maximum = static_cast<int>(side) == below;
     for (int i = 0; i < selected_[side].count; ++i) {
-      const auto k = static_cast<size_t>(i);
-      const double value = slopes_[side][k] * t + intercepts_[side][k];
+      const double value = height(side, i, t);
       const double behind = maximum ? at.max[side] - value : value - at.min[side];
-      marks[side][k] = behind <= 2 * error_ ? 1 : 0;
+      marks[side][static_cast<size_t>(i)] = behind <= 2 * error_ ? 1 : 0;
     }
   }
   const std::array<std::span<const std::uint8_t>, 2> candidates = {

@@ -83,6 +83,11 @@ class Gap {
 
  private:
   int exact_sign(int below, double t, const Extremes& at);
+  /// The height of control point i of the selected cell, on the axis that it is projected on.
+  double height(size_t side, int i, double t) const {
+    const auto k = static_cast<size_t>(i);
+    return slopes_[side][k] * t + intercepts_[side][k];
+  }
 
   /// The query in integers of one size, converted on first use.
   template <class Int>
