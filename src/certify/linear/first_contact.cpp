@@ -29,18 +29,18 @@ std::vector<Corners> triangles_of(const Shape& a, const Shape& b) {
 }
 
 /// The differences, times the least common denominator of all numbers.
-std::array<MovingPoint, 3> differences(const Patches& patches, const Corners& corners,
-                                       const Integer& denominator) {
+std::array<MovingVector, 3> differences(const Patches& patches, const Corners& corners,
+                                        const Integer& denominator) {
   const auto scaled = [&](const Rational& x) {
     return Integer(denominator / x.get_den() * x.get_num());
   };
-  std::array<MovingPoint, 3> out;
+  const auto& [a, b] = patches;
+  std::array<MovingVector, 3> out;
   for (size_t c = 0; c < 3; ++c) {
     const auto i = static_cast<size_t>(corners[c][0]), j = static_cast<size_t>(corners[c][1]);
     for (size_t k = 0; k < 3; ++k) {
-      out[c].position[k] = scaled(patches[0].positions[i][k]) - scaled(patches[1].positions[j][k]);
-      out[c].velocity[k] =
-          scaled(patches[0].velocities[i][k]) - scaled(patches[1].velocities[j][k]);
+      out[c][k] = Polynomial({scaled(a.positions[i][k]) - scaled(b.positions[j][k]),
+                              scaled(a.velocities[i][k]) - scaled(b.velocities[j][k])});
     }
   }
   return out;

@@ -7,14 +7,6 @@ namespace ccdfuzz::linear {
 
 namespace {
 
-using MovingVector = std::array<Polynomial, 3>;
-
-MovingVector polynomials_of(const MovingPoint& point) {
-  MovingVector out;
-  for (size_t k = 0; k < 3; ++k) out[k] = Polynomial({point.position[k], point.velocity[k]});
-  return out;
-}
-
 MovingVector cross_of(const MovingVector& a, const MovingVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -25,9 +17,8 @@ Polynomial dot_of(const MovingVector& a, const MovingVector& b) {
 
 }  // namespace
 
-OriginInTriangle::OriginInTriangle(const std::array<MovingPoint, 3>& corners) {
-  std::array<MovingVector, 3> p, n;
-  for (size_t i = 0; i < 3; ++i) p[i] = polynomials_of(corners[i]);
+OriginInTriangle::OriginInTriangle(const std::array<MovingVector, 3>& p) {
+  std::array<MovingVector, 3> n;
   for (size_t i = 0; i < 3; ++i) n[i] = cross_of(p[(i + 1) % 3], p[(i + 2) % 3]);
   det_ = dot_of(p[0], n[0]);
   for (size_t i = 0; i < 3; ++i) {

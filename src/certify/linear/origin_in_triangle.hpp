@@ -8,10 +8,8 @@
 
 namespace ccdfuzz::linear {
 
-/// A point that moves linearly, position + t·velocity, in integers.
-struct MovingPoint {
-  std::array<Integer, 3> position, velocity;
-};
+/// The coordinates of a vector, as polynomials of time.
+using MovingVector = std::array<Polynomial, 3>;
 
 /// When does a triangle whose corners a, b, c move linearly contain the origin? Any triangle, also
 /// one that is a segment or a point. In polynomials of time,
@@ -26,7 +24,7 @@ struct MovingPoint {
 /// which is between two of them, or one of them, iff some d_i ≤ 0.
 class OriginInTriangle {
  public:
-  explicit OriginInTriangle(const std::array<MovingPoint, 3>& corners);
+  explicit OriginInTriangle(const std::array<MovingVector, 3>& p);
 
   /// The first t in the closed [0, until] at which the origin is in the triangle. Requires
   /// until ≥ 0. The times are closed, so the first is 0 or one at which a polynomial above

@@ -56,12 +56,8 @@ void isolate(const Polynomial& p, const SturmSequence& sturm, const Rational& lo
              const Rational& hi, std::vector<RealRoot>& out) {
   const int count = sturm.roots_in(lo, hi);
   if (count == 0) return;
-  if (count == 1 && p.degree() == 1) {
-    out.emplace_back(linear_root(p));
-    return;
-  }
   if (count == 1) {
-    out.emplace_back(p, lo, hi);
+    out.push_back(p.degree() == 1 ? RealRoot(linear_root(p)) : RealRoot(p, lo, hi));
     return;
   }
   // One of any degree + 1 points is no root.

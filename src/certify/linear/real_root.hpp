@@ -29,7 +29,7 @@ class RealRoot {
   void narrow(const Rational& width);
 
   /// The sign of q at the number; refines where it must. Where it is 0, polynomial() divides q
-  /// afterwards.
+  /// afterwards. Else the closed enclosure has no root of q afterwards.
   int sign_of(const Polynomial& q);
 
   /// True iff both are the same number.

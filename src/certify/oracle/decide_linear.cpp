@@ -40,7 +40,8 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
   } else {
     linear::RealRoot& time = contact->time;
     time.narrow(until * power_of_two(-64));
-    time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));  // now t_max is outside
+    // So that t_max is no longer in the enclosure.
+    time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));
     truth.contact_root = provable_root(query, time);
     const auto uv = linear::parameters_at(patches, contact->corners, time.lo());
     if (time.is_rational()) {
