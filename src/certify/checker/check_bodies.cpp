@@ -107,14 +107,11 @@ bool is_there(const MovingPatch<double>& mesh, const Face& face, const Vec3<doub
   constexpr std::uint64_t kOperations = 32;
   charge_for(kOperations, 0, work);
   const Points<double> corners = corners_of(mesh, face);
-  Rational height = 0;
-  for (const int k : {0, 1, 2}) {
-    const auto side = [&](size_t corner, int axis) {
-      return Rational(exact(corners[corner][axis % 3]) - exact(corners[0][axis % 3]));
-    };
-    const Rational normal = side(1, k + 1) * side(2, k + 2) - side(1, k + 2) * side(2, k + 1);
-    height += normal * (exact(other_velocity[k]) - exact(mesh.velocities[0][k]));
-  }
+  const auto side = [&](size_t corner) {
+    return Vec3<Rational>(exact(corners[corner]) - exact(corners[0]));
+  };
+  const Vec3<Rational> way = exact(other_velocity) - exact(mesh.velocities[0]);
+  const Rational height = dot(cross(side(1), side(2)), way);
   return height < 0;
 }
 

@@ -291,16 +291,13 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
   const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
     return {p, p + until * v};
   };
-  const auto at_the_end = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
-    const Rational x = p + until * v;
-    return {x, x};
-  };
-  for (const Triangle& triangle : triangles_between(query, at_the_end)) {
+  const std::vector<Triangle> triangles = triangles_between(query, ends);
+  for (const Triangle& triangle : triangles) {
     // Halving would come near this contact without end.
-    if (!clearance.closed || !contains_origin(Signs(triangle, 0, work))) continue;
+    if (!clearance.closed || !contains_origin(Signs(triangle, 1, work))) continue;
     return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
   }
-  for (const Triangle& triangle : triangles_between(query, ends)) {
+  for (const Triangle& triangle : triangles) {
     const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, work);
     if (found == Found::kOutside) continue;
     return input_error(
