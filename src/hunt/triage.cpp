@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ccd/witness_trace/loss_signature.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
 #include "files/case_json.hpp"
