@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "bezier/exact_patch.hpp"
 #include "case/mesh.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
-#include "numeric/exact_scalars.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
@@ -19,10 +19,6 @@ namespace {
 
 /// Makes up for three products, quotients or roots of doubles and a sum, each rounded once.
 constexpr double kRoundings = 1 - 0x1p-50;
-
-bool is_zero(const Vec3<Dyadic>& v) {
-  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
-}
 
 /// v ≠ 0 times the power of two that brings its largest coordinate into [1/2, 1), exactly. So no
 /// square of it leaves the range of doubles.
@@ -36,13 +32,7 @@ Vec3<Dyadic> of_size_one(const Vec3<Dyadic>& v) {
   return {v[0].scaled(-*top), v[1].scaled(-*top), v[2].scaled(-*top)};
 }
 
-using Hull = std::vector<Vec3<Dyadic>>;
-
-Hull points_of(const MovingPatch<double>& body) {
-  Hull points;
-  for (const Vec3<double>& p : body.positions) points.push_back(exact_dyadic(p));
-  return points;
-}
+using Hull = Points<Dyadic>;
 
 Points<Rational> rational(const Hull& hull) {
   Points<Rational> points;
@@ -57,7 +47,7 @@ void add_directions(const Hull& hull, std::vector<Vec3<Dyadic>>& directions) {
   for (size_t i = 0; i < hull.size(); ++i) {
     for (size_t j = 0; j < i; ++j) {
       const Vec3<Dyadic> way = hull[i] - hull[j];
-      if (!is_zero(way)) directions.push_back(way);
+      if (way != Vec3<Dyadic>(0, 0, 0)) directions.push_back(way);
     }
   }
 }
@@ -83,7 +73,7 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
     for (const Vec3<Dyadic>& other : others) {
       if (&one == &other) break;  // of one list, each pair once
       const Vec3<Dyadic> product = cross(one, other);
-      if (is_zero(product)) continue;
+      if (product == Vec3<Dyadic>(0, 0, 0)) continue;
       const Vec3<Dyadic> normal = of_size_one(product);
       const auto [low, high] = range_along(normal, swept);
       const auto [bottom, top] = range_along(normal, rest);
@@ -169,15 +159,13 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
     }
     return deepest;
   }
-  const auto& [a, b] = query.patches;
-  const Hull first = points_of(a), rest = points_of(b);
-  const Vec3<Dyadic> way =
-      (exact_dyadic(a.velocities[0]) - exact_dyadic(b.velocities[0])) * Dyadic::exact(until);
-  Hull swept = first;
-  for (const Vec3<Dyadic>& p : first) swept.push_back(p + way);
-  Rational reach = exact(query.separation);
-  for (const MovingPatch<double>& body : query.patches) reach += exact(body.radius);
-  const auto depth = depth_and(round_down(reach), swept, first, rest, {way}, in_plane);
+  const auto a = exact_patch<Dyadic>(query.patches[0]), b = exact_patch<Dyadic>(query.patches[1]);
+  const Vec3<Dyadic> way = (a.velocities[0] - b.velocities[0]) * Dyadic::exact(until);
+  Hull swept = a.positions;
+  for (const Vec3<Dyadic>& p : a.positions) swept.push_back(p + way);
+  const Dyadic reach = Dyadic::exact(query.separation) + a.radius + b.radius;
+  const auto depth =
+      depth_and(round_down(reach.rational()), swept, a.positions, b.positions, {way}, in_plane);
   return depth ? std::optional(std::max(0.0, kRoundings * *depth)) : depth;
 }
 

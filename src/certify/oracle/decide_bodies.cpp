@@ -29,7 +29,7 @@ class DecidingBodies {
     const auto a = exact_patch<Rational>(query.patches[0]);
     const auto b = exact_patch<Rational>(query.patches[1]);
     points_ = {a.positions, b.positions};
-    for (int k = 0; k < 3; ++k) velocity_[k] = b.velocities[0][k] - a.velocities[0][k];
+    velocity_ = b.velocities[0] - a.velocities[0];
     reach_ = exact(query.separation) + a.radius + b.radius;
   }
 
@@ -43,9 +43,7 @@ class DecidingBodies {
 
   Points<Rational> moved(const Rational& t) const {
     Points<Rational> at = points_[1];
-    for (Vec3<Rational>& p : at) {
-      for (int k = 0; k < 3; ++k) p[k] += t * velocity_[k];
-    }
+    for (Vec3<Rational>& p : at) p += t * velocity_;
     return at;
   }
 
@@ -139,16 +137,12 @@ class DecidingBodies {
         late_ = middle;
         late_found_ = found;
       } else {
-        say_clear_if_on_the_way(middle, found);
+        // The way keeps them apart before it, too, where they approach along it.
+        if (dot(found.way, velocity_) <= 0) say_clear(middle, found.way, false);
         t = middle;
       }
     }
     say_contact(late_, late_found_);
-  }
-
-  /// The way at t keeps them apart before it, too, where they approach along it.
-  void say_clear_if_on_the_way(const Rational& t, const Found& found) {
-    if (dot(found.way, velocity_) <= 0) say_clear(t, found.way, false);
   }
 
   const Rational t_max_;

@@ -96,12 +96,8 @@ Rational squared_of_edges(const Corners& from, const Corners& to) {
 /// How much nearer than the separation the points of a witness come in [its time, until].
 double depth_within_separation(const Query& query, const Witness& witness, const Rational& until) {
   const auto gap_at = [&](const Rational& t) {
-    std::array<Vec3<Rational>, 2> points;
-    for (size_t side = 0; side < 2; ++side) {
-      points[side] =
-          evaluate<Rational>(exact_patch<Rational>(query.patches[side]), witness.uv[side], t);
-    }
-    return Vec3<Rational>(points[0] - points[1]);
+    const auto& [a, b] = linear::exact_patches(query);
+    return Vec3<Rational>(evaluate(a, witness.uv[0], t) - evaluate(b, witness.uv[1], t));
   };
   const Vec3<Rational> from = gap_at(witness.t), way = gap_at(until) - from;
   const Rational length = dot(way, way);

@@ -1,4 +1,6 @@
 #include <Eigen/LU>
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "ccd/certified/normalise.hpp"
@@ -139,25 +141,21 @@ std::optional<ContactBox> find_contact_box(const Query& query, const ContactGues
     return best && best->until() <= exact(guess.t) + exact(kLate) * t_max;
   };
   for (const double near_zero : {4 * guess.width, 0.0}) {
-    for (int mask = 0; mask < 32 && !good_enough(); ++mask) {
-      // Sets that contain the time come first, as contacts that begin transversally are found by
-      // them: the time is the top bit of 31 − mask.
+    // Sets that contain the time come first, as contacts that begin transversally are found by
+    // them: the time is the top bit.
+    for (unsigned set = 31; set > 0 && !good_enough(); --set) {
+      if (std::popcount(set) != 3) continue;
       ContactBox start = box_at(query, guess, near_zero);
-      size_t count = 0;
-      for (int i = 0; i < 5; ++i) {
-        if (((31 - mask) >> i & 1) == 0) continue;
-        if (count < 3) start.varied[count] = i;
-        ++count;
+      unsigned left = set;
+      for (int& unknown : start.varied) {
+        unknown = std::countr_zero(left);
+        left &= left - 1;
       }
-      if (count != 3) continue;
-      bool possible = true;
-      for (const int i : start.varied) {
-        if (i != kTime &&
-            i % 2 >= query.patches[static_cast<size_t>(i / 2)].shape.parameter_count()) {
-          possible = false;
-        }
-      }
-      if (!possible) continue;
+      const auto varies = [&](int i) {
+        return i == kTime ||
+               i % 2 < query.patches[static_cast<size_t>(i / 2)].shape.parameter_count();
+      };
+      if (!std::ranges::all_of(start.varied, varies)) continue;
       start.centre[kTime] = std::ldexp(guess.t, -normalised.time);
       if (!converge(scaled, start)) continue;
       for (int exponent = -44; exponent <= -6; exponent += 4) {

@@ -1,5 +1,6 @@
 #include "certify/oracle/find_plane.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "bezier/blossom.hpp"
@@ -25,32 +26,25 @@ std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational
   const Shape& shape = patch.shape;
   const MovingNet<Rational> net = moving_net<Rational>(patch);
   Polar<Rational> polar(nullptr, patch.is_rational());
+  const bool is_triangle = shape.kind == ShapeKind::kTriangle;
+  const Weights<Rational> at = is_triangle
+                                   ? Weights<Rational>{Rational(1 - uv[0] - uv[1]), uv[0], uv[1]}
+                                   : Weights<Rational>{Rational(1 - uv[0]), uv[0], 0};
+  std::vector<Weights<Rational>> u(static_cast<size_t>(shape.n), at),
+      v(static_cast<size_t>(shape.m), {Rational(1 - uv[1]), uv[1], 0});
+  const Moving<Rational> here = polar(shape, net, u, v);
   std::vector<Vector> out;
-  const auto value = [&](const Weights<Rational>* first, const Weights<Rational>* second) {
-    const bool triangle = shape.kind == ShapeKind::kTriangle;
-    const Weights<Rational> at = triangle
-                                     ? Weights<Rational>{Rational(1 - uv[0] - uv[1]), uv[0], uv[1]}
-                                     : Weights<Rational>{Rational(1 - uv[0]), uv[0], 0};
-    std::vector<Weights<Rational>> u(static_cast<size_t>(shape.n), at),
-        v(static_cast<size_t>(shape.m), {Rational(1 - uv[1]), uv[1], 0});
-    if (first != nullptr) u[0] = *first;
-    if (second != nullptr) v[0] = *second;
-    return polar(shape, net, u, v);
-  };
-  const Moving<Rational> here = value(nullptr, nullptr);
-  const auto add = [&](const Weights<Rational>* first, const Weights<Rational>* second) {
-    const Moving<Rational> along = value(first, second);
+  const auto add = [&](Weights<Rational>& argument, const Weights<Rational>& direction) {
+    const Weights<Rational> point_of_argument = std::exchange(argument, direction);
+    const Moving<Rational> along = polar(shape, net, u, v);
+    argument = point_of_argument;
     out.push_back(value_at(along, t));
     if (!patch.is_rational()) return;
-    const Vector point = value_at(here, t);
-    for (int k = 0; k < 3; ++k) {
-      out.back()[k] = out.back()[k] * here[kWeight] - point[k] * along[kWeight];
-    }
+    out.back() = out.back() * here[kWeight] - value_at(here, t) * along[kWeight];
   };
-  const Weights<Rational> along = {-1, 1, 0}, along_v = {-1, 0, 1}, across = {0, 1, -1};
-  if (shape.kind != ShapeKind::kPoint) add(&along, nullptr);
-  if (shape.kind == ShapeKind::kTensor) add(nullptr, &along);
-  if (shape.kind == ShapeKind::kTriangle) add(&along_v, nullptr), add(&across, nullptr);
+  if (shape.kind != ShapeKind::kPoint) add(u[0], {-1, 1, 0});
+  if (shape.kind == ShapeKind::kTensor) add(v[0], {-1, 1, 0});
+  if (is_triangle) add(u[0], {-1, 0, 1}), add(u[0], {0, 1, -1});
   return out;
 }
 

@@ -108,18 +108,13 @@ std::optional<Rational> time_of_distance(const std::array<Vec3<Rational>, 2>& of
 /// about that.
 std::optional<Rational> meeting_time(const std::array<MovingPatch<Rational>, 2>& patches,
                                      double separation, const std::array<Uv<Rational>, 2>& uv) {
-  std::array<Vec3<Rational>, 2> offset;  // of position, of velocity
-  for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<Rational>& patch = patches[s];
-    const std::array<Vec3<Rational>, 2> at = {
-        evaluate<Rational>(patch.shape, patch.positions, patch.weights, uv[s]),
-        evaluate<Rational>(patch.shape, patch.velocities, patch.weights, uv[s])};
-    for (size_t d = 0; d < 2; ++d) {
-      for (int k = 0; k < 3; ++k) {
-        offset[d][k] = s == 0 ? at[d][k] : Rational(offset[d][k] - at[d][k]);
-      }
-    }
-  }
+  const auto& [a, b] = patches;
+  const auto difference = [&](const Points<Rational>& of_a, const Points<Rational>& of_b) {
+    return Vec3<Rational>(evaluate<Rational>(a.shape, of_a, a.weights, uv[0]) -
+                          evaluate<Rational>(b.shape, of_b, b.weights, uv[1]));
+  };
+  const std::array offset = {difference(a.positions, b.positions),
+                             difference(a.velocities, b.velocities)};
   if (separation > 0) return time_of_distance(offset, separation);
   for (int k = 0; k < 3; ++k) {
     if (offset[1][k] != 0) return Rational(-offset[0][k] / offset[1][k]);
