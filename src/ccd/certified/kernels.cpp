@@ -185,16 +185,12 @@ template <bool kRational>
 }  // namespace
 
 CCDFUZZ_FOR_EACH_CPU
-void take_snapshot(const double* net, int count, double t0, double t1, double* out) {
-  if (net[kWeightPlace] != 0) return snapshot_inline<true>(net, count, t0, t1, out, nullptr);
-  snapshot_inline<false>(net, count, t0, t1, out, nullptr);
-}
-
-CCDFUZZ_FOR_EACH_CPU
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
-                   RangeBatch& ranges) {
-  if (net[kWeightPlace] != 0) return snapshot_inline<true>(net, count, t0, t1, out, &ranges);
-  snapshot_inline<false>(net, count, t0, t1, out, &ranges);
+                   RangeBatch* ranges) {
+  if (net[kWeightPlace] != 0) return snapshot_inline<true>(net, count, t0, t1, out, ranges);
+  // Apart, so that no loop asks for ranges.
+  if (ranges == nullptr) return snapshot_inline<false>(net, count, t0, t1, out, nullptr);
+  snapshot_inline<false>(net, count, t0, t1, out, ranges);
 }
 
 CCDFUZZ_FOR_EACH_CPU

@@ -52,13 +52,11 @@ struct Snapshot {
 /// p + t·v of every control point at t0 and t1, product rounded first. net: of each control point
 /// its position, then its velocity. out: kPerPoint·count places, as in Snapshot. The weight of
 /// a rational patch divides the sum.
-void take_snapshot(const double* net, int count, double t0, double t1, double* out);
-
-/// The same, and the extents on the coordinate axes in the first three lanes; zeros in the last.
-/// count ≥ 1. An extent starts from the first point. Requires finite numbers, as NormalisedQuery
-/// has: beside a NaN at t0, compare would see t1 alone.
+/// ranges, if given, get the extents on the coordinate axes in the first three lanes, and zeros in
+/// the last: count ≥ 1. An extent starts from the first point. That requires finite numbers, as
+/// NormalisedQuery has: beside a NaN at t0, compare would see t1 alone.
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
-                   RangeBatch& ranges);
+                   RangeBatch* ranges = nullptr);
 
 /// The nets of all children of a net of `count` control points, one after the other, by means of
 /// the program's slots.

@@ -25,10 +25,10 @@ CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double wa
 CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first)
     : a_(a), b_(b), first_(first) {
   if (first != Axis{}) add(first);
-  if (a.has_normal) add(a.normal);
-  if (b.has_normal) add(b.normal);
+  if (a.has_normal()) add(a.normal);
+  if (b.has_normal()) add(b.normal);
   if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));
-  if (a.has_normal) add(cross(a.normal, a.edges[0]));
+  if (a.has_normal()) add(cross(a.normal, a.edges[0]));
   if (count_ < kLanes) add_rest();
 }
 
@@ -40,10 +40,10 @@ void CandidateAxes::add_rest() {
     }
   }
   for (const CornerFrame* s : {&a_, &b_}) {
-    if (!s->has_normal) continue;
+    if (!s->has_normal()) continue;
     for (int i = s == &a_ ? 1 : 0; i < s->edge_count; ++i) add(cross(s->normal, s->edges[i]));
   }
-  if (a_.has_normal && b_.has_normal) return;
+  if (a_.has_normal() && b_.has_normal()) return;
   const Axis offset = minus(a_.middle, b_.middle);
   if (offset != first_) add(offset);
   for (const CornerFrame* s : {&a_, &b_}) {

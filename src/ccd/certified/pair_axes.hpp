@@ -23,11 +23,11 @@ inline Axis plus(const Axis& a, const Axis& b) {
 struct CornerFrame {
   std::array<Axis, 3> edges{};
   int edge_count = 0;
-  Axis normal{};
-  bool has_normal = false;
+  Axis normal{};  ///< of two edges or more
   Axis middle{};
 
-  CornerFrame() = default;
+  bool has_normal() const { return edge_count > 1; }
+
   /// The frame of control points: point_at(i) is point i, in Shape's order.
   template <class PointAt>
   CornerFrame(const Shape& shape, const PointAt& point_at);
@@ -71,7 +71,6 @@ CornerFrame::CornerFrame(const Shape& shape, const PointAt& point_at) {
     }
   }
   normal = cross(edges[0], edges[1]);
-  has_normal = true;
 }
 
 /// Candidate separating axes of two flat shapes, in batches. For two triangles they are the

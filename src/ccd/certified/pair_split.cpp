@@ -83,7 +83,7 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
       const int c = std::countr_zero(left);
       const Node child = node(static_cast<int>(s), c);
       take_snapshot(trees_[s].net(child), trees_[s].count(), window_.lo, window_.hi,
-                    children.values[c].data(), coordinate_.extents[s][c]);
+                    children.values[c].data(), &coordinate_.extents[s][c]);
       coordinate_.extents[s][c].of = provenance(static_cast<int>(s), child, window_);
     }
     shared_.made[s] = 0;
@@ -95,7 +95,7 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
   coordinate_.bounds = error_.for_axes(coordinate_.axes);
   const std::array<Axis, kLanes> axes = {pair.hint, whole[0].normal, whole[1].normal, Axis{}};
   for (size_t i = 0; i < kLanes; ++i) set_axis(shared_.axes, i, axes[i]);
-  shared_.bounds = error_.for_axes(axes);
+  shared_.bounds = error_.for_axes(shared_.axes);
 }
 
 /// Gives children their extents on the shared axes.

@@ -70,18 +70,16 @@ class HeightErrorBound {
     return (relative_ * norm1(l) + kLeastAbsolute) * kSlack;
   }
 
-  Bounds for_axes(const std::array<Axis, kLanes>& axes) const {
+  Bounds for_axes(const AxisBatch& batch) const {
     Bounds out{{}, made_from_};
-    for (size_t i = 0; i < kLanes; ++i) {
-      out.on[i] = for_axis(axes[i]);
+    for (int i = 0; i < kLanes; ++i) {
+      const Axis l = axis_of(batch, i);
+      out.on[static_cast<size_t>(i)] = for_axis(l);
 #ifndef NDEBUG
-      out.made_from.norms[i] = norm1(axes[i]);
+      out.made_from.norms[static_cast<size_t>(i)] = norm1(l);
 #endif
     }
     return out;
-  }
-  Bounds for_axes(const AxisBatch& batch) const {
-    return for_axes({axis_of(batch, 0), axis_of(batch, 1), axis_of(batch, 2), axis_of(batch, 3)});
   }
 
  private:
