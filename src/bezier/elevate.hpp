@@ -40,17 +40,10 @@ Elevated<S> elevated(const Shape& shape, const Points<S>& points, bool in_v = fa
         Vec3<S>& sum = out.points[static_cast<size_t>(to.index(to_i, to_j))];
         for (int k = 0; k < 3; ++k) sum[k] += p[k] * S(weight);
       };
-      if (is_triangle) {
-        give(i + 1, j, i + 1);
-        give(i, j + 1, j + 1);
-        give(i, j, degree - i - j);
-      } else if (in_v) {
-        give(i, j + 1, j + 1);
-        give(i, j, degree - j);
-      } else {
-        give(i + 1, j, i + 1);
-        give(i, j, degree - i);
-      }
+      const bool gives_in_u = !in_v, gives_in_v = in_v || is_triangle;
+      if (gives_in_u) give(i + 1, j, i + 1);
+      if (gives_in_v) give(i, j + 1, j + 1);
+      give(i, j, degree - (gives_in_u ? i : 0) - (gives_in_v ? j : 0));
     }
   }
   return out;

@@ -20,15 +20,6 @@ Vec3<double> unit(const Vec3<double>& v) {
   return {w[0] / norm, w[1] / norm, w[2] / norm};
 }
 
-/// The coordinate axis that a direction is least aligned with.
-Vec3<double> least_aligned_axis(const Vec3<double>& d) {
-  int least = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::abs(d[k]) < std::abs(d[least])) least = k;
-  }
-  return Vec3<double>::Unit(least);
-}
-
 struct Spans {
   Vec3<double> u{0, 0, 0};
   Vec3<double> v{0, 0, 0};  ///< zero unless a surface's
@@ -80,6 +71,14 @@ Spans spans_at(const ControlNet& net, double t, AxisReading::Spans reading, int 
 }
 
 }  // namespace
+
+Vec3<double> least_aligned_axis(const Vec3<double>& d) {
+  int least = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::abs(d[k]) < std::abs(d[least])) least = k;
+  }
+  return Vec3<double>::Unit(least);
+}
 
 Frame coordinate_frame() {
   return {Vec3<double>::Unit(0), Vec3<double>::Unit(1), Vec3<double>::Unit(2)};

@@ -36,6 +36,9 @@ Frame obb_frame(const ControlNet& net, double t, const AxisReading& reading, int
 
 bool is_zero(const Frame& frame);
 
+/// The coordinate axis that a direction is least aligned with.
+Vec3<double> least_aligned_axis(const Vec3<double>& d);
+
 /// e_x, e_y, e_z.
 Frame coordinate_frame();
 

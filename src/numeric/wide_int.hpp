@@ -21,8 +21,6 @@ class WideInt {
   using Limb = std::uint64_t;
 
  public:
-  static constexpr int kBits = Bits;
-
   WideInt() = default;  // uninitialised, as a built-in integer is
   constexpr explicit WideInt(std::int64_t x) {
     limbs_.fill(x < 0 ? ~Limb{0} : 0);

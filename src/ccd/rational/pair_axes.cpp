@@ -1,4 +1,5 @@
 #include "ccd/rational/pair_axes.hpp"
+#include "ccd/axes.hpp"
 #include "numeric/products.hpp"
 
 #include <algorithm>
@@ -14,17 +15,6 @@ Vec3<double> normalised(const Vec3<double>& v) {
   const double m = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(m > 0)) return {0, 0, 0};
   return {v[0] / m, v[1] / m, v[2] / m};
-}
-
-bool is_zero(const Vec3<double>& v) {
-  return v[0] == 0 && v[1] == 0 && v[2] == 0;
-}
-
-/// A direction across v: the unit vector of v's smallest component.
-Vec3<double> across(const Vec3<double>& v) {
-  const double x = std::abs(v[0]), y = std::abs(v[1]), z = std::abs(v[2]);
-  if (x <= y && x <= z) return {1, 0, 0};
-  return y <= z ? Vec3<double>(0, 1, 0) : Vec3<double>(0, 0, 1);
 }
 
 /// Control point i at t.
@@ -63,10 +53,10 @@ std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points
 
 BoxDirections box_directions(const Shape& shape, const CellPoints& points, double t) {
   auto [u, v] = spanned(shape, points, t);
-  if (is_zero(u)) std::swap(u, v);
-  if (is_zero(u)) return {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1)};
+  if (u == Vec3<double>(0, 0, 0)) std::swap(u, v);
+  if (u == Vec3<double>(0, 0, 0)) return coordinate_frame();
   Vec3<double> normal = normalised(cross(u, v));
-  if (is_zero(normal)) normal = normalised(cross(u, across(u)));
+  if (normal == Vec3<double>(0, 0, 0)) normal = normalised(cross(u, least_aligned_axis(u)));
   return {u, normal, normalised(cross(u, normal))};
 }
 
