@@ -289,12 +289,11 @@ export class Viewer {
   }
 
   fillButtons() {
-    const command = this.details.reproduce || `ccdfuzz query '${this.row.id}'`;
+    const command = this.details.reproduce;  // none for a line of a data set, which is no file
     this.buttons.replaceChildren(
       copyButton('Copy case (JSON)', () => JSON.stringify(this.case)),
-      copyButton('Copy command', () => command),
       copyButton('Copy GoogleTest', () => this.details.gtest),
       saveButton('Save glTF', `${fileName(this.row.id)}.gltf`, () => gltfText(this.centre, this.local.origin, this.picture), 'model/gltf+json'),
-      h('code.command', command));
+      ...(command ? [copyButton('Copy command', () => command), h('code.command', command)] : []));
   }
 }

@@ -463,6 +463,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
   claim('thousands: 5,000 cases are in the page', count === 5000, count);
   const nodes = await tab.evaluate(() => document.querySelectorAll('*').length);
   claim('thousands: no more of them in the document than fit', nodes < 2500, nodes);
+  claim('thousands: no command names a line of a data set as if it were a file', !(await tab.$('.case .command')));
   const shown = () => tab.innerText('.case-id');
   const before = await shown();
   await tab.focus('.list');
