@@ -34,6 +34,13 @@ trap 'exit 1' INT TERM
 
 fail() { echo "FAILED: $1"; exit 1; }
 
+# What is wrong is said before anything is made or submitted.
+for wrong in '0 generate' '08 generate' '00 generate' '1x generate' '2 query'; do
+  code=0
+  "$source/script/slurm/submit" "${wrong% *}" "$scratch/wrong" "${wrong#* }" 2>/dev/null || code=$?
+  [ $code = 2 ] && [ ! -e "$scratch/wrong" ] || fail "submit $wrong: exit code $code"
+done
+
 user=$(id -un)
 host=$(hostname -s)
 port=$(shuf -i 20000-59999 -n 1)
