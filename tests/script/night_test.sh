@@ -20,3 +20,7 @@ done
 for said in 'seed 20261125, 1 s' '100% tests passed' 'tdibm-c' 'counterexamples in finds'; do
   grep -q -- "$said" "$work/out" || { echo "not said: $said" && cat "$work/out" && exit 1; }
 done
+
+# Ctrl-C while claims are checked: no hunt begins.
+CCDFUZZ_NIGHT_TESTS=none timeout -s INT 4 "$work/script/night" --seconds 60 >"$work/out" 2>&1 || true
+! grep -q 'queries drawn' "$work/out" || { cat "$work/out" && exit 1; }
