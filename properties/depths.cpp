@@ -5,6 +5,7 @@
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/similar.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 
@@ -81,15 +82,8 @@ void check_depth_of_boxes(Draw& d) {
   CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
 }
 
-Case scaled_and_decided(Query query, double scale) {
-  for (MovingPatch<double>& patch : query.patches) {
-    for (Vec3<double>& p : patch.positions) p *= scale;
-    for (Vec3<double>& v : patch.velocities) v *= scale;
-  }
-  Case known;
-  known.query = std::move(query);
-  known.truth = decide(known.query).truth;
-  return known;
+double depth_of_feature(const Query& query) {
+  return feature_depth({query, decide(query).truth, {}, {}}, query.t_max);
 }
 
 /// Whoever moves a vertex or an edge by less than its depth, in any direction, leaves a contact in
@@ -99,12 +93,13 @@ void check_depth_of_features(Draw& d) {
       d, [](Draw& choices) { return draw_integers(choices, 4); }, true);
   query.t_max = static_cast<double>(d.integer(5, 8)) / 8;
   show(d, "query", query);
-  const double depth = feature_depth(scaled_and_decided(query, 1), query.t_max);
+  const double depth = depth_of_feature(query);
   show(d, "depth", depth);
   suppose(depth >= 0x1p-30);  // coordinates are of few bits: to round them moves them by far less
-  const double scale = std::ldexp(1.0, static_cast<int>(d.integer(-900, 900)));
-  const double scaled = feature_depth(scaled_and_decided(query, scale), query.t_max) / scale;
-  show(d, "scale", scale);
+  const int exponent = static_cast<int>(d.integer(-900, 900));
+  const Query larger = supposed(similar(query, {.space = exponent}));
+  const double scaled = std::ldexp(depth_of_feature(larger), -exponent);
+  show(d, "exponent", exponent);
   show(d, "scaled", scaled);
   CLAIM(std::abs(scaled - depth) <= 0x1p-50 * depth);
   Vec3<double> move;  // of at most √3·73 < 127

@@ -14,15 +14,14 @@ namespace {
 /// 1)|: the M of Gap's filter.
 Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
   Dyadic position, velocity;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+  const auto& [a, b] = query.patches;
+  const MovingPatch<Dyadic> first = exact_patch<Dyadic>(a);
+  const Vec3<Dyadic> drift = a.has_ends() == b.has_ends() ? first.velocities[0] : Vec3<Dyadic>();
+  for (const MovingPatch<Dyadic>& moving : {first, exact_patch<Dyadic>(b)}) {
+    for (std::size_t i = 0; i < moving.positions.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        const MovingPatch<Dyadic> moving = exact_patch<Dyadic>(patch),
-                                  first = exact_patch<Dyadic>(query.patches[0]);
         position = std::max(position, abs(moving.positions[i][k] - first.positions[0][k]));
-        const bool is_one_kind = query.patches[0].has_ends() == query.patches[1].has_ends();
-        const Dyadic drift = is_one_kind ? first.velocities[0][k] : Dyadic();
-        velocity = std::max(velocity, abs(moving.velocities[i][k] - drift));
+        velocity = std::max(velocity, abs(moving.velocities[i][k] - drift[k]));
       }
     }
   }

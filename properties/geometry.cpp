@@ -77,14 +77,9 @@ void check_children_cover(Draw& d) {
 
 void check_sub_patch(Draw& d) {
   constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
-  const Shape shape = draw_shape(d, kDegree);
+  const auto [shape, points, uv] = draw_patch(d, kDegree);
   const Cell cell = draw_cell(d, shape, 8);
-  const Uv<Dyadic> uv = draw_uv(d, shape, 4);
-  const Points<Dyadic> points = draw_points(d, shape, 12, -6);
-  show(d, "shape", shape);
-  show(d, "points", points);
   show(d, "cell", cell);
-  show(d, "uv", uv);
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
   Points<Dyadic> part(points.size());
   restrict_to<Dyadic>(shape, points, corners, part);

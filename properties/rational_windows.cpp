@@ -46,14 +46,10 @@ void check_signs(Draw& d) {
   }
 }
 
-struct RationalWindow {
-  Rational lo, hi;
-};
-
 /// What cut_window did to a window, beside the times up to and from which one sign of the axis
 /// separates.
 struct CutMade {
-  RationalWindow before, after, separated;
+  TimeWindow<Rational> before, after, separated;
   bool all_separated = false;
   Cut cut = Cut::kNothing;
   Rational step;  ///< the distance of two times of the grid
@@ -69,7 +65,7 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
   exact_ccd::ScaledWindow window{gap.scaled(std::min(a, b)), gap.scaled(std::max(a, b))};
   const std::array ends = {window.lo, window.hi};
   const auto unscaled = [&] {
-    return RationalWindow{exact(gap.unscaled(window.lo)), exact(gap.unscaled(window.hi))};
+    return TimeWindow<Rational>{exact(gap.unscaled(window.lo)), exact(gap.unscaled(window.hi))};
   };
   CutMade made;
   made.before = made.separated = unscaled();
