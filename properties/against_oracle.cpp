@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "certify/oracle/build_tree.hpp"
 #include "files/case_json.hpp"
-#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -48,16 +45,6 @@ void claim_all_agree(const Query& query, std::uint64_t max_pops, const SearchOpt
   for (const char* name : kMissNothing) {
     claim_not_contradicted(name, **make_method(name), known, search);
   }
-}
-
-void claim_no_larger_separation(const Query& query, const Rational& t, double share,
-                                std::uint64_t most_nodes, Draw& draw) {
-  Query asked = query;
-  asked.separation *= share;
-  const auto tree = supposed(build_miss_tree(asked, t, most_nodes));
-  show(draw, "separation", asked.separation);
-  CLAIM(check_tree(asked, t, tree).has_value());
-  CLAIM(!check_tree(query, t, tree));
 }
 
 }  // namespace ccdfuzz

@@ -40,10 +40,4 @@ inline constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_b
 void claim_all_agree(const Query& query, std::uint64_t max_pops,
                      const SearchOptions& search = kBriefSearch);
 
-/// A tree may keep the patches of a query farther apart than a share of its separation, until t.
-/// The checker accepts it as a proof of that, and refuses it as one of the whole separation.
-/// Discarded: no tree of so many nodes does.
-void claim_no_larger_separation(const Query& query, const Rational& t, double share,
-                                std::uint64_t most_nodes, Draw& draw);
-
 }  // namespace ccdfuzz

@@ -1,8 +1,12 @@
+#include <cmath>
+
+#include "case/scale.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
@@ -32,15 +36,40 @@ std::vector<Rational> draw_weights(Draw& d, size_t count) {
   return weights;
 }
 
-/// The truth of planted cases holds and survives a file. No graze has a depth that is measured.
+/// The truth of planted cases holds and survives a file. No graze has a depth that is measured,
+/// however bodies turn about the normal of the plane between them.
 void check_truth_of_bodies(Draw& d) {
-  const CaseKind kind = d.pick(kBodyCaseKinds);
-  const bool grazes = kind == CaseKind::kRP && d.coin();
-  const Case known = draw_planted(d, kind, grazes ? Family::kBodiesGrazing : Family::kBodies);
+  const bool grazes = d.coin();
+  const std::uint64_t motion = d.choose(15);  // those that turn, and most that spin, take longest
+  const bool spins = motion == 15, turns = motion > 10;
+  const CaseKind kind = grazes  ? CaseKind::kRP
+                        : turns ? d.pick(std::array{CaseKind::kRP, CaseKind::kRN})
+                                : d.pick(kBodyCaseKinds);
+  const bool in_plane = turns && !spins && !grazes && d.coin();
+  const Family still = grazes ? Family::kBodiesGrazing : Family::kBodies;
+  const Family turning = grazes ? Family::kTurningGrazing : Family::kTurning;
+  const Family spinning = grazes ? Family::kSpinningGrazing : Family::kSpinning;
+  const Case known = draw_planted(d, kind, spins ? spinning : turns ? turning : still, in_plane);
+  CLAIM(has_turns(known.query) == turns && has_spins(known.query) == spins);
   claim_planted_truth(known, kind, {.bodies = true});
   if (!grazes) return;
   CLAIM(known.truth.witness->t > 0);
   CLAIM(depth_until(known.query, known.query.t_max).value_or(0) == 0.0);
+}
+
+/// A near miss is proven. It is near: 2^-16 of the largest coordinate would bring the bodies into
+/// contact.
+void check_just_missing(Draw& d) {
+  const bool spins = d.below(16) == 15;  // these take longest to prove
+  const Family family = spins      ? Family::kSpinningGrazing
+                        : d.coin() ? Family::kTurningGrazing
+                                   : Family::kBodiesGrazing;
+  const Case known = draw_planted(d, CaseKind::kNMN, family);
+  claim_planted_truth(known, CaseKind::kNMN, {.bodies = true});
+  Query nearer = known.query;
+  nearer.separation = std::ldexp(largest_coordinate(known.query), -16);
+  // The oracle may leave it undecided where bodies turn.
+  CLAIM(supposed(decide(nearer).truth.collides));
 }
 
 /// The oracle says the same of planted bodies, whose first contact it finds exactly.
@@ -130,9 +159,12 @@ std::vector<Property> bodies_claims() {
   constexpr auto kDeciding = "src/certify/oracle/decide_bodies.hpp";
   return {
       {"bodies.truth_holds",
-       "The planted truth of two bodies is accepted and survives a file, and methods that do not "
-       "take bodies say so",
+       "The planted truth of two bodies, also of such as turn or spin, is accepted and survives a "
+       "file, grazes are without depth, and methods that do not take bodies say so",
        "generators/bodies.hpp", check_truth_of_bodies},
+      {"bodies.just_miss",
+       "Bodies that just miss are proven apart, by no more than 2^-16 of the largest coordinate",
+       "generators/just_missing.hpp", check_just_missing},
       {"bodies.oracle_agrees", "The oracle finds the planted first contact of bodies, exactly",
        kDeciding, check_oracle_agrees},
       {"bodies.are_decided",

@@ -1,11 +1,15 @@
 #include <cmath>
 #include <utility>
 
+#include "case/scale.hpp"
 #include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "files/case_json.hpp"
+#include "generators/round.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/answers.hpp"
@@ -29,12 +33,20 @@ void check_not_early_apart(Draw& d) {
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational"}), drawn, d, kBrief);
 }
 
-/// A tree that proves a distance up to some time is refused as a proof of one that is not kept.
+/// A tree that proves a share of a distance is refused as a proof of all of it, also of patches
+/// that are round.
 void check_trees(Draw& d) {
-  const FirstContact drawn = supposed(draw_first_contact(d, true));
+  const bool is_round = d.coin();
+  const ContactClass contact = d.pick(std::array{ContactClass::kVF, ContactClass::kFF});
+  const Case drawn = is_round ? draw_round_case(contact, true, d) : draw_case_apart(d);
+  const Rational& t = drawn.truth.witness->t;
+  Query nearer = drawn.query;
+  nearer.separation *= d.pick(std::array{0.0, 0.5, 1 - 0x1p-6, 1 - 0x1p-20});
   show(d, "query", drawn.query);
-  const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6, 1 - 0x1p-20});
-  claim_no_larger_separation(drawn.query, drawn.witness.t, share, 1000, d);
+  show(d, "separation", nearer.separation);
+  const auto tree = supposed(build_miss_tree(nearer, t, is_round ? 3000 : 1000));
+  CLAIM(check_tree(nearer, t, tree).has_value());
+  CLAIM(!check_tree(drawn.query, t, tree));
 }
 
 /// Proofs that patches do not touch prove nothing of distances.
@@ -72,13 +84,7 @@ void claim_at_distance(const Query& query, double size, Draw& d) {
 /// A hit on a linear query is a contact, and a miss is none, in both orders of the patches.
 void check_linear_apart(Draw& d) {
   Query query = supposed(draw_linear(d));
-  double size = 0;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      const Vec3<double> end = patch.positions[i] + query.t_max * patch.velocities[i];
-      size = std::max({size, patch.positions[i].cwiseAbs().maxCoeff(), end.cwiseAbs().maxCoeff()});
-    }
-  }
+  const double size = largest_coordinate_at_ends(query);
   const int exponent = -static_cast<int>(d.integer(0, 12));
   query.separation = size * std::ldexp(d.pick(std::array{1.0, 1.25}), exponent);
   suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
@@ -98,7 +104,7 @@ std::vector<Property> distances_claims() {
        "A hit at a distance is no earlier than the width of its boxes explains", kMeaning,
        check_not_early_apart},
       {"separation.refuses_nearer",
-       "A tree of axes that keep a distance is refused where they come nearer",
+       "A tree that proves a share of a distance, also of round patches, is no proof of all of it",
        "src/certify/checker/check_tree.hpp", check_trees},
       {"separation.refuses_proofs_of_touching",
        "Planes and linear decisions, which prove that nothing touches, prove no distance",
@@ -111,6 +117,7 @@ std::vector<Property> distances_claims() {
                          "at a distance",
                          {kCertified, kRational},
                          &Features::separation,
+                         {Family::kApart, Family::kSeparated},
                          draw_case_apart});
   return claims;
 }

@@ -65,8 +65,9 @@ void check_same_motion(Draw& d) {
 
 /// No proof of linear patches reaches a contact, however little it is off their rounded motion.
 void check_late_linear_proof(Draw& d) {
-  const Case drawn = draw_contact_with_ends(d, {.max_degree = 1});
-  suppose(is_linear_query(drawn.query));
+  constexpr std::array kLinear = {Shape::point(), Shape::curve(1), Shape::triangle(1)};
+  const Shape first = d.pick(kLinear), second = d.pick(kLinear);
+  const Case drawn = draw_contact_with_ends(d, {.shapes = {{first, second}}});
   show(d, "contact", drawn);
   CLAIM(!check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}));
 }
@@ -97,6 +98,7 @@ std::vector<Property> ends_claims() {
                          "of patches with ends",
                          {kCertified, kRational},
                          &Features::ends,
+                         {Family::kEnds, Family::kEnds},
                          [](Draw& d) { return draw_contact_with_ends(d, kElsewhere); }});
   return claims;
 }

@@ -139,7 +139,15 @@ void check_grazing_shapes(Draw& d) {
 
 /// The contact is at the features of its class, and the same options give the case again.
 void check_generated(Draw& d) {
-  const GeneratorOptions options = draw_generator_options(d);
+  GeneratorOptions options = draw_generator_options(d);
+  const bool is_plain = d.choose(3) != 3;
+  if (!is_plain) {
+    options.family = d.pick(kNotPlainFamilies);
+    options.kind = d.coin() ? CaseKind::kRN : CaseKind::kRP;
+    options.shapes.reset();
+    options.proof_pops = 1000;
+    suppose(is_made(options.family, options.contact, options.kind));
+  }
   const Case made = generate(options, 0).value;
   const Result<void> checked = check_truth(made);
   show_options(d, options);
@@ -149,7 +157,9 @@ void check_generated(Draw& d) {
   CLAIM(generate(options, 0).value == made);
   const bool positive = options.kind == CaseKind::kRP || options.kind == CaseKind::kNHP;
   CLAIM(made.truth.collides == positive);
-  if (!positive || !made.truth.witness) return;
+  const auto& clearance = made.truth.clearance;
+  CLAIM(!clearance || check_clearance(made.query, *clearance, "").has_value());
+  if (!is_plain || !positive || !made.truth.witness) return;
   const auto features = features_of(options.contact);
   for (std::size_t s = 0; s < 2; ++s) {
     const Uv<Rational>& uv = made.truth.witness->uv[s];
@@ -204,7 +214,8 @@ std::vector<Property> generator_steps_claims() {
        "Grazing patches of any shapes meet at t*, slide along the contact plane, and are apart in "
        "a near-miss",
        "generators/shaped/families.hpp", check_grazing_shapes},
-      {"generator.cases", "A generated case has the truth, the class and the numbers that it says",
+      {"generator.cases",
+       "A generated case, also of weights, loops, ends and separations, is what it says",
        "Section 5.1, Step VI, Section 5.4", check_generated},
       {"generator.clearance", "Nothing proves a contact where a case claims that there is none",
        "Section 5.1, Step V", check_generated_clearance},

@@ -7,6 +7,8 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/generate.hpp"
 #include "method/setting.hpp"
 #include "method/taken_query.hpp"
@@ -236,8 +238,7 @@ std::vector<Property> mesh_claims() {
        kMeshes, check_windings},
       {"mesh.graze_hides",
        "A body that grazes a mesh touches it first, without depth, also beside a vertex, and "
-       "passes "
-       "through it later",
+       "passes through it later",
        "generators/mesh.cpp", check_graze},
       {"mesh.setting_of_one_sided",
        "A one-sided mesh is touching at 0 if, and only if, a face is, from behind or in front",

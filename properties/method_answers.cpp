@@ -144,8 +144,7 @@ std::vector<Property> method_answers_claims() {
        "src/case/judge.hpp", check_answers_make_sense},
       {"methods.not_contradicted_anywhere",
        "No claim to miss nothing is contradicted by the oracle near contacts or on any finite "
-       "numbers "
-       "in any two shapes, and the checker accepts the oracle there",
+       "numbers in any two shapes, and the checker accepts the oracle there",
        "src/certify/oracle/oracle.hpp", check_agree_anywhere},
       {"methods.monotone_in_t_max",
        "No method that narrows its windows hits up to a time and misses up to a later one; but two "

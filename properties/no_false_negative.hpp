@@ -34,12 +34,12 @@ void claim_no_false_negative(const std::string& method, const Case& value,
 using DrawCase = std::function<Case(Draw&)>;
 /// draw_contact of a range.
 DrawCase contacts_in(const ContactRange& range);
-/// A contact of the ordinary, the tiny or the many-bit range. The time step may be 2^30 times as
-/// long as the contact needs.
-Case draw_sized_contact(Draw& draw);
-/// An ordinary contact after drawn changes of coordinates that keep it, each of them in one of
-/// four.
+/// An ordinary contact, half of the time after drawn changes of coordinates that keep it, each of
+/// them in one of four.
 Case draw_transformed(Draw& draw);
+/// That, or a contact of the tiny or the many-bit range. The time step may be 2^30 times as long as
+/// the contact needs.
+Case draw_sized_contact(Draw& draw);
 
 /// Checks of that claim on drawn contacts.
 std::function<void(Draw&)> misses_nothing(std::string method,
@@ -55,8 +55,8 @@ std::function<void(Draw&)> keeps_contacts(std::string method,
                                           DrawCase draw = contacts_in(kOrdinaryRange));
 
 /// What is claimed of contacts of plain patches, of each method that is proven to miss none:
-/// "METHOD.no_false_negative", "METHOD.no_false_negative_linear" by these options,
-/// "METHOD.contact_transformed" and "METHOD.trace".
+/// "METHOD.no_false_negative", "METHOD.no_false_negative_linear" by these options and
+/// "METHOD.trace".
 std::vector<Property> contact_claims(const std::string& method, const std::string& source,
                                      const SearchOptions& of_linear);
 

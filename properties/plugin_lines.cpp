@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "method/plugin/line_protocol.hpp"
+#include "properties/draw_word.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -11,34 +12,17 @@ namespace {
 
 /// A line that is almost what a plug-in should answer.
 std::string draw_line(Draw& choices) {
-  constexpr std::array<std::string_view, 23> kWords = {
-      "\"id\":7",
-      "\"verdict\":\"hit\"",
-      "\"verdict\":\"miss\"",
-      "\"toi\":0.5",
-      "\"toi\":[0.25,0.5]",
-      "\"toi\":NaN",
-      "\"toi\":-1",
-      "\"toi\":\"inf\"",
-      "\"uv\":[[0,1],[0.5,null]]",
-      "\"uv\":[[NaN]]",
-      "\"tolerance\":1e-6",
-      "\"tolerance\":\"inf\"",
-      "\"tolerance\":\"small\"",
-      "\"iterations\":1e300",
-      "\"seconds\":-1",
-      "\"protocol\":1",
-      "\"name\":\"x\"",
-      "\"refused\":1",
-      "\"fault\":\"hang\"",
-      "\"minimum_separation\":-0",
-      "\"accepts\":[[{\"shape\":\"curve\",\"max_degree\":99},{\"shape\":\"point\"}]]",
-      "\"accepts\":[[{\"shape\":\"triangle\",\"max_degree\":2},{\"shape\":\"tensor\"}]]",
-      "\"message\":\"\\\"NaN"};
-  std::string line = choices.coin() ? "{\"id\":7" : "{\"protocol\":1";
+  constexpr const char* kWords = R"(
+      "id":7 "verdict":"hit" "verdict":"miss" "toi":0.5 "toi":[0.25,0.5] "toi":NaN "toi":-1
+      "toi":"inf" "uv":[[0,1],[0.5,null]] "uv":[[NaN]] "tolerance":1e-6 "tolerance":"inf"
+      "tolerance":"small" "iterations":1e300 "seconds":-1 "protocol":1 "name":"x" "refused":1
+      "fault":"hang" "minimum_separation":-0
+      "accepts":[[{"shape":"curve","max_degree":99},{"shape":"point"}]]
+      "accepts":[[{"shape":"triangle","max_degree":2},{"shape":"tensor"}]] "message":"\"NaN)";
+  constexpr std::array kStarts = {R"({"id":7)", R"({"protocol":1)", R"({"id":7,"verdict":"hit")"};
+  std::string line = choices.pick(kStarts);
   for (std::uint64_t left = choices.choose(6); left > 0; --left) {
-    line += ',';
-    line += choices.pick(kWords);
+    line += "," + draw_word(choices, kWords);
   }
   return line + "}";
 }
@@ -47,7 +31,7 @@ std::string draw_line(Draw& choices) {
 void check_line(Draw& d) {
   constexpr std::size_t kLongest = 1 << 12;
   constexpr std::uint64_t kQuestion = 7;
-  const double t_max = std::abs(d.finite_double());
+  const double t_max = d.coin() ? std::abs(d.finite_double()) : 0.25;
   const std::string line = d.coin() ? draw_line(d) : d.text(kLongest);
   show(d, "t_max", t_max);
   show(d, "line", AsHex{line});

@@ -60,8 +60,18 @@ void claim_refused(const Query& query, bool Features::*feature) {
   }
 }
 
+/// Of one draw in four, a case of its families.
+Case draw_of(Draw& d, const QueryKind& kind) {
+  if (d.choose(3) != 3) return kind.draw(d);
+  GeneratorOptions options;
+  options.family = d.pick(kind.families);
+  options.contact = d.pick(kContactClasses);
+  suppose(is_made(options.family, options.contact, options.kind));
+  return generate(options, d).value;
+}
+
 void check_meaning(Draw& d, const QueryKind& kind) {
-  const Case known = kind.draw(d);
+  const Case known = draw_of(d, kind);
   show(d, "contact", known);
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == known.query);
@@ -95,7 +105,7 @@ void claim_judged_by_meaning(Draw& d, Case known) {
   const std::size_t side = d.choose(1);
   const auto steps = static_cast<long>(d.integer(-4, 4));
   const Rational off = steps * power_of_two(d.pick(std::array{-6, -20}));
-  switch (d.choose(6)) {
+  switch (query.separation > 0 && d.coin() ? 5 : d.choose(5)) {
     case 0:
       break;
     case 1:
@@ -134,7 +144,7 @@ void add_claims_of(std::vector<Property>& claims, const QueryKind& kind) {
       {kind.subject + ".decision_is_proven",
        fmt::format("The checker accepts what the oracle says of a contact {}", kind.of),
        "src/certify/oracle/oracle.hpp", [=](Draw& d) {
-         Case drawn = kind.draw(d);
+         Case drawn = draw_of(d, kind);
          const bool may_end_before = d.choose(3) == 3;
          if (may_end_before) drawn.query.t_max *= 0.5;
          show(d, "contact", drawn);
@@ -142,8 +152,8 @@ void add_claims_of(std::vector<Property>& claims, const QueryKind& kind) {
          const auto collides = decide_briefly(drawn.query, kFewPops).truth.collides;
          CLAIM(may_end_before || collides != false || !is_in_regions(drawn));
        }});
-  add_contact_claims(claims, kind.kind, kind.of, kind.sources, [draw = kind.draw](Draw& d) {
-    Case known = draw(d);
+  add_contact_claims(claims, kind.kind, kind.of, kind.sources, [=](Draw& d) {
+    Case known = draw_of(d, kind);
     suppose(is_in_regions(known));
     return known;
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "generators/generate.hpp"
 #include "method/features.hpp"
 #include "properties/no_false_negative.hpp"
 
@@ -12,6 +13,7 @@ struct QueryKind {
   std::string of;       ///< what sentences say after "contact": "of rational patches"
   std::array<std::string, 2> sources;  ///< of what tdibm-c and tdibm-rational make of it
   bool Features::*feature;             ///< what a method takes that takes it
+  std::array<Family, 2> families;      ///< those that make such contacts, too
   DrawCase draw;  ///< contacts; of trimmed patches also such as are off their regions
 };
 

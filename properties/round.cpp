@@ -6,7 +6,6 @@
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "properties/against_oracle.hpp"
 #include "properties/answers.hpp"
 #include "properties/show.hpp"
 
@@ -31,14 +30,6 @@ void check_place(const Case& drawn) {
     CLAIM(box->varied[k] == static_cast<int>(k));
     CLAIM(abs(exact(box->centre[k]) - witness.uv[0][k]) <= exact(box->radius[k]));
   }
-}
-
-/// A tree that keeps surfaces a distance apart is refused as a proof of one that they do not keep.
-void check_separations(Draw& d) {
-  const Case drawn = draw_round(d, true);
-  show(d, "query", drawn.query);
-  const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6});
-  claim_no_larger_separation(drawn.query, drawn.truth.witness->t, share, 3000, d);
 }
 
 /// The plane of a first contact is accepted. Where it stays longer, or is on one side of it, the
@@ -98,8 +89,6 @@ std::vector<Property> round_claims() {
        "generators/round.hpp", check_first_contact},
       {"weights.planes", "A plane proves the first contact of round patches, and nothing after it",
        "src/certify/checker/nonnegative.hpp", check_planes},
-      {"weights.separations", "Trees that keep round patches apart prove no larger separation",
-       "src/case/certificate.hpp", check_separations},
   };
 }
 

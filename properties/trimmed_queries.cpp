@@ -6,13 +6,16 @@
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_trim.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/draw_trim.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_first_contact.hpp"
@@ -252,6 +255,7 @@ std::vector<Property> trimmed_queries_claims() {
                          "of trimmed patches",
                          {kCertified, kRational},
                          &Features::trims,
+                         {Family::kTrimmed, Family::kTrimmed},
                          draw_trimmed});
   return claims;
 }

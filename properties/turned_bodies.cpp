@@ -184,8 +184,7 @@ std::vector<Property> turned_bodies_claims() {
        "generators/turning.hpp", check_spun_back},
       {"turning.plane_beside",
        "A plane on either side of a body that turns is accepted for a short time, and refused "
-       "where "
-       "it cuts off a point of the body, or its gap is no larger than the radius",
+       "where it cuts off a point of the body, or its gap is no larger than the radius",
        "src/certify/checker/check_turning.hpp", check_plane_beside},
       {"turning.ball_within",
        "A body that spins holds the ball about a point in it that its faces' planes touch, and no "

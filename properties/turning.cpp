@@ -7,6 +7,8 @@
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
+#include "files/case_json.hpp"
+#include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
@@ -23,14 +25,6 @@ Case draw_turning(Draw& d, CaseKind kind) {
 
 CaseKind draw_kind_of_turning(Draw& d) {
   return d.coin() ? CaseKind::kRP : CaseKind::kRN;
-}
-
-/// The truth of planted cases holds, survives a file, and is not asked of who does not take it.
-void check_turning_truth(Draw& d) {
-  const CaseKind kind = draw_kind_of_turning(d);
-  const Case known = draw_turning(d, kind);
-  CLAIM(has_turns(known.query));
-  claim_planted_truth(known, kind, {.bodies = true});
 }
 
 /// Nearest points in exact arithmetic are no contact at any time that is said to be clear.
@@ -177,10 +171,6 @@ std::vector<Property> turning_claims() {
   constexpr auto kChecker = "src/certify/checker/check_turning.hpp";
   constexpr auto kDeciding = "src/certify/oracle/decide_turning.hpp";
   return {
-      {"turning.truth_holds",
-       "The planted truth of bodies that turn is accepted and survives a file, and methods that do "
-       "not take bodies say so",
-       "generators/turning.hpp", check_turning_truth},
       {"turning.clear_is_clear",
        "Bodies that turn are apart, in exact arithmetic, at each time that is said to be clear",
        kChecker, check_clear_time},

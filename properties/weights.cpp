@@ -182,6 +182,7 @@ std::vector<Property> weights_claims() {
                          "of rational patches",
                          {kCertified, kRational},
                          &Features::weights,
+                         {Family::kWeighted, Family::kRound},
                          draw_weighted_case});
   return claims;
 }
