@@ -307,13 +307,10 @@ void check_derived_bound(Draw& d) {
 std::vector<Property> certified_bounds_claims() {
   return {
       {"tdibm-c.normalised",
-       "The normalised control points of any finite doubles are those of the query, moved and "
-       "scaled alike, up to the stated errors, and of magnitude 1 at most",
-       "src/ccd/certified/normalise.hpp", check_normalised},
-      {"tdibm-c.normalised_ends",
-       "The normalised control points of patches with ends are those of the query, up to the "
-       "stated errors",
-       "src/ccd/certified/normalise.hpp", check_normalised_ends},
+       "The normalised control points of any finite doubles, also of ends, are those of the query, "
+       "moved and scaled alike, up to the stated errors, and of magnitude 1 at most",
+       "src/ccd/certified/normalise.hpp",
+       [](Draw& d) { d.coin() ? check_normalised_ends(d) : check_normalised(d); }},
       {"tdibm-c.sub_patches",
        "Control points of cells are off by at most the roundings that are counted",
        "src/ccd/certified/DERIVATION.md, 2", check_sub_patches},

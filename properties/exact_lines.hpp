@@ -26,15 +26,6 @@ ExactLines exact_lines(const List& lines) {
   return out;
 }
 
-inline Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
-  Dyadic greatest = lines.front().at(t);
-  for (const Line<Dyadic>& line : lines) {
-    const Dyadic value = line.at(t);
-    if (greatest < value) greatest = value;
-  }
-  return greatest;
-}
-
 /// A time p/q, q > 0. What is asked at it is multiplied by q, and stays dyadic.
 struct Instant {
   Dyadic p, q;
@@ -47,6 +38,10 @@ inline Dyadic scaled_maximum(const ExactLines& lines, const Instant& t) {
     if (greatest < value) greatest = value;
   }
   return greatest;
+}
+
+inline Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
+  return scaled_maximum(lines, {t, Dyadic(1)});
 }
 
 /// lo and hi, and where any two of the lines cross between them: their maximum is linear between

@@ -44,25 +44,6 @@ void claim_overlap(Draw& d, bool as_printed) {
   CLAIM(separated == !has_common_point);
 }
 
-/// Separated at two times means separated between them. This is about the claim alone:
-/// paper.steps_are_exact says that the code finds that interval.
-void check_one_interval(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
-  const ExactLines f = exact_lines(pairs.f), g = exact_lines(pairs.g);
-  const auto separated = [&](const Dyadic& t) {
-    return (maximum(f, t) + maximum(g, t)).sign() < 0;
-  };
-  std::array<Dyadic, 2> ends;
-  for (Dyadic& end : ends) end = d.dyadic(8, -5);
-  suppose(separated(ends[0]) && separated(ends[1]));
-  const Dyadic share(Integer(static_cast<long>(d.integer(0, 16))), -4);
-  const Dyadic t = ends[0] + (ends[1] - ends[0]) * share;
-  show(d, "separated at", ends);
-  show(d, "t", t);
-  show(d, "lines", pairs);
-  CLAIM(separated(t));
-}
-
 Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
   Lines<Rational> out;
   for (const Line<double>& line : lines) out.push_back({exact(line.slope), exact(line.intercept)});
@@ -196,11 +177,9 @@ std::vector<Property> intersection_claims() {
        "Eqs. 3a and 3b as printed", [](Draw& d) { claim_overlap(d, true); }, kFails},
       {"paper.overlap", "Boxes overlap on an axis iff max p >= min q and max q >= min p",
        "Eqs. 3a and 3b as Eq. 4 has them", [](Draw& d) { claim_overlap(d, false); }},
-      {"paper.one_interval", "The times at which an axis separates two patches are one interval",
-       "Section 3, Solving Eq. (3)", check_one_interval},
       {"paper.steps_are_exact",
        "In exact arithmetic, Steps II and III find just the times at which all pairs of lines are "
-       "in order",
+       "in order, which are one interval",
        "Section 3, Eqs. 5-10", check_steps_are_exact},
       {"paper.eps_tau", "The quotient of Eq. 10 is off by at most eps_tau", "Appendix C.2",
        check_eps_tau},

@@ -60,7 +60,7 @@ void claim_refused(const Query& query, bool Features::*feature) {
   }
 }
 
-/// Of one draw in four, a case of its families.
+/// A case of its families in one draw of four, else its own draw.
 Case draw_of(Draw& d, const QueryKind& kind) {
   if (d.choose(3) != 3) return kind.draw(d);
   GeneratorOptions options;

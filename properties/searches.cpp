@@ -5,7 +5,7 @@
 #include "generators/shaped/features.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
-#include "properties/draw_first_contact.hpp"
+#include "properties/draw_weighted.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 #include "properties/symmetry.hpp"
@@ -43,9 +43,13 @@ std::optional<MovingPatch<double>> child_of(const MovingPatch<double>& patch, in
   return MovingPatch<double>{patch.shape, *positions, *velocities};
 }
 
-/// Also of a part of one patch, whether it has the contact or not. Its boxes are within those of
-/// the patch, and come no slower.
+/// Also of rational patches, or of a part of one patch, whether it has the contact or not. Its
+/// boxes are within those of the patch, and come no slower.
 void check_not_early(Draw& d) {
+  if (d.choose(2) == 2) {
+    const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
+    return claim_not_early(name, draw_weighted_first_contact(d), d);
+  }
   const FirstContact drawn = supposed(draw_first_contact(d));
   const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
   if (d.coin()) return claim_not_early(name, drawn, d);
@@ -104,8 +108,8 @@ std::vector<Property> searches_claims() {
        "With fewer pops than an answer takes, a method is undecided, at a time not after the hit",
        "src/ccd/search.hpp", check_budget},
       {"methods.not_early",
-       "A hit on patches or a part of one is early by no more than the time in which boxes of its "
-       "precision meet",
+       "A hit on patches, also rational ones, or a part of one is early by no more than the time "
+       "in which boxes of its precision meet",
        "src/ccd/certified/tdibm_c.hpp", check_not_early},
       {"methods.optimised",
        "The optimised form of a method of the paper answers as the plain one, also where all parts "

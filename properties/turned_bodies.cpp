@@ -71,9 +71,13 @@ std::vector<double> draw_eighths(Draw& d, size_t count, long most) {
   return numbers;
 }
 
-/// A turn of few bits about the origin.
+Vec3<double> draw_point(Draw& d) {
+  return draw_integers(d, 8) / 8;
+}
+
+/// A turn of few bits.
 BodyTurn draw_small_turn(Draw& d) {
-  BodyTurn turn{{}, {}, {0, 0, 0}};
+  BodyTurn turn{{}, {}, draw_point(d)};
   if (const size_t numbers = d.pick(std::array{3, 4, 2}); numbers == 3) {
     turn.spin = draw_eighths(d, numbers, 2);
   } else {
@@ -84,16 +88,13 @@ BodyTurn draw_small_turn(Draw& d) {
   return turn;
 }
 
-Vec3<double> draw_point(Draw& d) {
-  return draw_integers(d, 8) / 8;
-}
-
 /// A plane on either side of a body that turns is accepted for a short time. It is refused where it
-/// cuts off a point of it then, or later, and with a gap that is no larger than the body's radius.
+/// cuts off a point of it then, or later, or between two times at which it does not. It is refused
+/// with a gap that is no larger than the body's radius, too.
 void check_plane_beside(Draw& d) {
   Query query;
   auto& [body, far] = query.patches;
-  body = {Shape::hull(2), {}, {{0, 0, 0}}};
+  body = {Shape::hull(2), {}, {draw_point(d)}};
   for (int i = 0; i < 2; ++i) body.positions.push_back(draw_point(d));
   body.radius = static_cast<double>(d.integer(0, 8)) / 8;
   body.turn = draw_small_turn(d);
@@ -120,15 +121,28 @@ void check_plane_beside(Draw& d) {
     return std::max(dot(exact(normal), points[0]), dot(exact(normal), points[1]));
   };
   const Rational highest = highest_at(plane.from), highest_later = highest_at(later);
-  const auto is_accepted = [&](const Rational& offset, const Rational& until) {
-    plane.offsets.fill(is_first ? offset : Rational(-offset - plane.gap));
+  const auto is_accepted = [&](const Rational& first, const Rational& last, const Rational& until) {
+    plane.offsets = {first, last};
+    for (Rational& offset : plane.offsets) {
+      if (!is_first) offset = -offset - plane.gap;
+    }
     return check_body_plane(asked, plane, until).has_value();
   };
-  CLAIM(is_accepted(highest + room, plane.from + power_of_two(-24)));
-  CLAIM(!is_accepted(highest - room, plane.from + power_of_two(-24)));
-  CLAIM(highest_later <= highest + room || !is_accepted(highest + room, later));
+  const Rational shortly = plane.from + power_of_two(-24);
+  const Rational above = highest + room, below = highest - room;
+  CLAIM(is_accepted(above, above, shortly));
+  CLAIM(!is_accepted(below, below, shortly));
+  CLAIM(highest_later <= above || !is_accepted(above, above, later));
+  constexpr long kParts = 8;
+  const Rational share = Rational(d.integer(1, kParts - 1)) / kParts;
+  const Rational little = power_of_two(-static_cast<long>(d.integer(1, 20)));
+  const Rational height = (1 - share) * highest + share * highest_later + little;
+  // Where |q| is not rational, points are within 2^-96 of their distance from the centre.
+  const Rational rounding = power_of_two(-60);
+  CLAIM(highest_at(plane.from + share * (later - plane.from)) <= height + rounding ||
+        !is_accepted(highest + little, highest_later + little, later));
   plane.gap = exact(body.radius * normal.cwiseAbs().maxCoeff());
-  CLAIM(!is_accepted(highest + room, plane.from + power_of_two(-24)));
+  CLAIM(!is_accepted(above, above, shortly));
 }
 
 /// About a point within a body that spins is a ball, which the nearest of its faces' planes
@@ -184,7 +198,8 @@ std::vector<Property> turned_bodies_claims() {
        "generators/turning.hpp", check_spun_back},
       {"turning.plane_beside",
        "A plane on either side of a body that turns is accepted for a short time, and refused "
-       "where it cuts off a point of the body, or its gap is no larger than the radius",
+       "where it cuts off a point of the body at one of its ends or between them, or its gap is no "
+       "larger than the radius",
        "src/certify/checker/check_turning.hpp", check_plane_beside},
       {"turning.ball_within",
        "A body that spins holds the ball about a point in it that its faces' planes touch, and no "

@@ -1,7 +1,6 @@
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "certify/checker/check_turning.hpp"
 #include "certify/checker/spin.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -9,7 +8,6 @@
 #include "certify/oracle/turned_points.hpp"
 #include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
-#include "numeric/products.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
 
@@ -82,68 +80,6 @@ void check_no_turn(Draw& d) {
   claim_same_time(plain, turned);
 }
 
-/// Along a normal the highest point of body 1 and the lowest of body 2, in exact arithmetic.
-std::array<Rational, 2> heights_at(const Query& query, const Vec3<Rational>& normal,
-                                   const Rational& t) {
-  std::array<Rational, 2> heights;
-  for (size_t s = 0; s < 2; ++s) {
-    const Points<Rational> points = points_at(query.patches[s], t).rational();
-    heights[s] = dot(normal, points[0]);
-    for (const Vec3<Rational>& p : points) {
-      const Rational height = dot(normal, p);
-      if (s == 0 ? height > heights[s] : height < heights[s]) heights[s] = height;
-    }
-  }
-  return heights;
-}
-
-/// A plane that touches a body at both of its ends is accepted only if both bodies are on their
-/// sides of it in between. Often it touches the other one, too. Its normal is about the shortest
-/// way from body 1 to body 2 at first.
-void check_planes_between(Draw& d) {
-  const Query query = draw_turning(d, CaseKind::kRP).query;
-  constexpr int kSteps = 64;
-  BodyPlanes::Plane plane;
-  // Few bits, lest exact nearest points take seconds.
-  plane.from = rounded_down(exact(query.t_max) * static_cast<long>(d.integer(0, kSteps)) / kSteps,
-                            power_of_two(-10));
-  NearestPoints nearest;
-  const Vec3<Rational> way = nearest(points_at(query.patches[0], plane.from).rational(),
-                                     points_at(query.patches[1], plane.from).rational())
-                                 .way;
-  Vec3<Rational> normal;
-  Rational largest = 0;
-  for (int k = 0; k < 3; ++k) {
-    normal[k] = exact(way[k].get_d());
-    largest = std::max(largest, Rational(abs(normal[k])));
-    for (auto& end : plane.normals) end[static_cast<size_t>(k)] = normal[k];
-  }
-  const Rational reach = exact(query.patches[0].radius) + exact(query.patches[1].radius);
-  const Rational kept = reach * root_above(dot(normal, normal));
-  const Rational length = power_of_two(-static_cast<long>(d.integer(1, 6)));
-  const Rational until = plane.from + length;
-  suppose(until <= 1);
-  const std::array ends = {heights_at(query, normal, plane.from), heights_at(query, normal, until)};
-  const bool touches_first = d.coin();
-  plane.gap = kept + power_of_two(-20) * largest;
-  const Rational room = std::min<Rational>(ends[0][1] - ends[0][0], ends[1][1] - ends[1][0]);
-  if (d.coin()) plane.gap = std::max(plane.gap, room);
-  for (size_t end = 0; end < 2; ++end) {
-    plane.offsets[end] = touches_first ? ends[end][0] : Rational(ends[end][1] - plane.gap);
-  }
-  suppose(check_body_plane(query, plane, until).has_value());
-  constexpr long kParts = 8;
-  const Rational share = Rational(static_cast<long>(d.integer(1, kParts - 1))) / kParts;
-  const Rational t = plane.from + share * length;
-  const Rational offset = (1 - share) * plane.offsets[0] + share * plane.offsets[1];
-  const auto [highest, lowest] = heights_at(query, normal, t);
-  show(d, "t", t);
-  // Where |q| is not rational, points are within 2^-96 of their distance from the centre.
-  const Rational rounding = power_of_two(-60) * largest;
-  CLAIM(highest <= offset + rounding);
-  CLAIM(lowest + rounding >= offset + plane.gap);
-}
-
 /// No planes are a proof of the time of a contact.
 void check_late_planes(Draw& d) {
   const Case known = draw_turning(d, CaseKind::kRP);
@@ -187,9 +123,6 @@ std::vector<Property> turning_claims() {
        }},
       {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",
        kDeciding, check_no_turn},
-      {"turning.planes_hold_between",
-       "Planes that are accepted have bodies that turn on their sides between their ends, too",
-       kChecker, check_planes_between},
       {"checker.refuses_late_planes", "No planes keep bodies that turn apart at their contact",
        kChecker, check_late_planes},
   };

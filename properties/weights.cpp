@@ -127,11 +127,6 @@ void check_linear_place(Draw& d) {
   }
 }
 
-void check_not_early(Draw& d) {
-  const FirstContact drawn = draw_weighted_first_contact(d);
-  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
-}
-
 /// A tree that separates up to a time is refused after the first contact. A plane through the
 /// contact separates before it iff it does so without weights, as they keep tangents and heights'
 /// signs; and no later.
@@ -174,8 +169,6 @@ std::vector<Property> weights_claims() {
        "src/ccd/certified/DERIVATION.md, 6", check_linear_place},
       {"weights.clearances", "Planes and trees of rational patches prove what is before a contact",
        kChecker, check_clearances},
-      {"weights.not_early", "A hit on rational patches is no earlier than its boxes explain",
-       kCertified, check_not_early},
   };
   add_claims_of(claims, {"weights",
                          "weighted",
