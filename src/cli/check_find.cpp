@@ -87,6 +87,17 @@ bool is_claims_folder(const std::string& path) {
          !std::filesystem::exists(claims_in(path), none);
 }
 
+Result<std::vector<std::string>> claim_files(const std::string& corpus) {
+  std::error_code none;
+  if (std::filesystem::is_regular_file(corpus, none)) {
+    return corpus.ends_with(".json") && read_find(corpus) ? std::vector{corpus}
+                                                          : std::vector<std::string>();
+  }
+  const std::string folder = is_claims_folder(corpus) ? corpus : claims_in(corpus);
+  if (!std::filesystem::is_directory(folder, none)) return std::vector<std::string>();
+  return list_entries(folder);
+}
+
 Result<ClaimFind> read_find(const std::string& path) {
   return read_file(path, kMostFindBytes).and_then([&](const std::string& json) {
     return from_json<ClaimFind>(json, path);

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/enum_names.hpp"
 #include "io/fields.hpp"
@@ -82,6 +83,9 @@ std::string claims_in(const std::string& corpus);
 /// Where there is none, by its name (kClaims). A corpus may have that name, too, and has one
 /// inside.
 bool is_claims_folder(const std::string& path);
+/// The files of claims in a corpus, or in such a folder, or the path itself where it is that of a
+/// find. Errors: a folder cannot be read.
+Result<std::vector<std::string>> claim_files(const std::string& corpus);
 
 /// The find in a file. Errors: it cannot be read, or is no find.
 Result<ClaimFind> read_find(const std::string& path);

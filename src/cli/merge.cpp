@@ -98,10 +98,8 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
   MergedClaims merged;
   const std::string folder = claims_in(into);
   std::set<std::pair<std::string, ChoiceNumbers>> inputs;  // in it
-  if (fs::is_directory(folder)) {
-    for (const std::string& path : need(list_entries(folder))) {
-      inputs.insert(need(read_find(path)).input());
-    }
+  for (const std::string& path : need(claim_files(into))) {
+    inputs.insert(need(read_find(path)).input());
   }
   const auto take = [&](const ClaimFind& find, const std::string& name) {
     if (inputs.contains(find.input())) return false;
@@ -111,10 +109,9 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
     return saved.is_new;
   };
   for (const std::string& corpus : corpora) {
-    const std::string from = is_claims_folder(corpus) ? corpus : claims_in(corpus);
-    if (!fs::is_directory(from)) continue;
-    need(make_writable_folder(folder));
-    for (const std::string& path : need(list_entries(from))) {
+    const std::vector<std::string> files = need(claim_files(corpus));
+    if (!files.empty()) need(make_writable_folder(folder));
+    for (const std::string& path : files) {
       const ClaimFind find = need(read_find(path));
       if (const auto property = property_named(find.property, known); !property) {
         throw BadInput{{path + ": property", property.error().what}};
@@ -125,7 +122,7 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
       if (has_input && take(find, fs::path(path).stem())) ++merged.taken;
     }
   }
-  if (fs::is_directory(folder)) merged.now = need(list_entries(folder)).size();
+  merged.now = need(claim_files(into)).size();
   return merged;
 }
 

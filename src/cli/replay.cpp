@@ -143,12 +143,14 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
-    if (of_methods && is_claims_folder(options_.corpus)) {
+    const std::vector<std::string> claims = need(claim_files(options_.corpus));
+    const std::vector<std::string> entries = case_files(claims);
+    if (of_methods && entries.empty()) {
       throw BadInput{{options_.corpus, "has claims alone, about which no method is asked"}};
     }
-    if (!of_methods) replay_claims();
+    if (!of_methods) replay_claims(claims);
     session_.each_case<Replayed>(
-        CaseStream(entries()),
+        CaseStream(entries),
         [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
         [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
@@ -160,20 +162,18 @@ class Replay {
 
  private:
   /// The files of cases. There must be some where there are no claims.
-  std::vector<std::string> entries() const {
-    if (claims_.total() == 0) return need(corpus_files(options_.corpus));
-    if (is_claims_folder(options_.corpus)) return {};
-    return need(list_entries(options_.corpus));
+  std::vector<std::string> case_files(const std::vector<std::string>& claims) const {
+    const std::string& corpus = options_.corpus;
+    if (claims.empty()) return need(corpus_files(corpus));
+    const bool has_no_others = claims[0] == corpus || is_claims_folder(corpus);
+    return has_no_others ? std::vector<std::string>() : need(list_entries(corpus));
   }
 
-  /// Runs the property of each file of CORPUS/claims on its choices, in a child. Throws BadInput
-  /// for a file that is no claim, or is of a property that is not known.
-  void replay_claims() {
-    const std::string& corpus = options_.corpus;
-    const std::string folder = is_claims_folder(corpus) ? corpus : claims_in(corpus);
-    if (!std::filesystem::is_directory(folder)) return;
+  /// Runs the property of each of these files on its choices, in a child. Throws BadInput for a
+  /// file that is no claim, or is of a property that is not known.
+  void replay_claims(const std::vector<std::string>& files) {
     ServedClaims served(&catch_interrupts());
-    for (const std::string& path : need(list_entries(folder))) {
+    for (const std::string& path : files) {
       if (session_.interrupted()) return;
       const ClaimFind find = need(read_find(path));
       const Result<Property> property = property_named(find.property, session_.properties);
@@ -349,7 +349,8 @@ void add_replay(CommandLine& line) {
       line.add<ReplayOptions>("replay", "Run a corpus as regression tests", run_replay);
   command.example("whether your code is mended",
                   "replay finds --methods plugin:./libmine.so --expect correct");
-  command.text("corpus", options->corpus, "Folder, its `claims` alone, or a file of cases");
+  command.text("corpus", options->corpus,
+               "A corpus, its `claims` alone, or a file of cases or of one claim");
   add_methods(command, options->methods, "Methods to run, by default those that an entry names");
   command.allow_plugins();
   command.choice("--expect OUTCOME", options->expect,
