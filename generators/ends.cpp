@@ -44,12 +44,14 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
     return change_by({shift, -shift}, 0);
   };
   while (!by_little()) {
-    if ((exponent += kStep) > -kLeast) return std::nullopt;
+    exponent += kStep;
+    if (exponent > -kLeast) return std::nullopt;
   }
   const Vec3<double> much = draw_integers(draw, 3);
   exponent = static_cast<int>(draw.integer(5, 30));
   while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much}, 1)) {
-    if ((exponent -= kStep) < kLeast) return std::nullopt;
+    exponent -= kStep;
+    if (exponent < kLeast) return std::nullopt;
   }
   return out;
 }

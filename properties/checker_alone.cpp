@@ -81,7 +81,7 @@ Rational draw_time_near(Draw& d, const Rational& t) {
 /// A linear polynomial that is 0 near t, or one that is it twice.
 ContactRoot draw_root(Draw& d, const Rational& t) {
   const Rational at = draw_time_near(d, t);
-  const Integer p = at.get_num(), q = at.get_den();
+  const Integer &p = at.get_num(), &q = at.get_den();
   ContactRoot root{{-p, q}, at - Rational(1, 8), at + Rational(1, 8)};
   if (d.choose(3) == 3) root.polynomial = {p * p, -2 * p * q, q * q};
   if (root.from < 0) root.from = 0;

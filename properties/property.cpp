@@ -15,7 +15,7 @@ std::string story_of(const Property& property, const ChoiceNumbers& numbers) {
     property.check(again);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // the failure that is shown
+  } catch (const std::exception&) {  // NOLINT: the failure that is shown
   }
   return story;
 }

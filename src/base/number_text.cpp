@@ -25,7 +25,7 @@ std::optional<double> take_term(std::string_view& rest) {
   const char* const begin = rest.data();
   const char* const end = begin + rest.size();
   double value = 0;
-  const char* after = begin;
+  const char* after = nullptr;
   if (rest.starts_with("2^")) {
     int exponent = 0;
     const auto read = std::from_chars(begin + 2, end, exponent);

@@ -57,7 +57,7 @@ int complain(const std::string& message, int code, const std::string& command = 
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::exception& error) {
     what = error.what();
-  } catch (...) {
+  } catch (...) {  // NOLINT: no text is known
   }
   complain("internal error: " + what, kInternal);
   ::_exit(kInternal);

@@ -33,7 +33,7 @@ class Intake {
   using MakeAsker = std::function<Asker()>;
 
   /// confirm: asks methods about stored entries, in children, since an entry may be anything.
-  Intake(Store& store, MakeAsker make, MakeAsker confirm)
+  Intake(Store& store, MakeAsker make, const MakeAsker& confirm)
       : store_(store), make_(std::move(make)), confirm_(confirm()) {}
 
   /// A case shows a failure. Keeps and stores it if it is the smallest so far. What goes wrong with

@@ -33,7 +33,7 @@ class SmallDyadic {
     const Integer& m = x.mantissa();
     out.fits_ = m.fits_slong_p();
     out.m_ = m.get_si();
-    out.k_ = static_cast<long>(x.exponent());
+    out.k_ = x.exponent();
     return out;
   }
 

@@ -92,7 +92,8 @@ double TimePolynomial::guess_root(const TimePart& part) const {
 /// Each step takes the leading term away from lc(b)·p.
 void TimePolynomial::reduce_by(const TimePolynomial& b) {
   while (degree_ >= b.degree_) {
-    const Int of_b = b[b.degree_], of_this = (*this)[degree_];
+    const Int& of_b = b[b.degree_];
+    const Int of_this = (*this)[degree_];
     const int shift = degree_ - b.degree_;
     c_[static_cast<std::size_t>(degree_)] = {};
     for (int i = 0; i < degree_; ++i) {
