@@ -109,7 +109,7 @@ struct JsonForm<MovingPatch<double>> {
  private:
   static void of_hull(auto& archive, auto& patch) {
     archive("positions", patch.positions, [&](const Points<double>& points) {
-      const bool fits = 1 <= points.size() && points.size() <= size_t{kMaxControls};
+      const bool fits = !points.empty() && points.size() <= size_t{kMaxControls};
       return fits ? ""
                   : fmt::format("has {} points; a hull has 1..{}", points.size(), kMaxControls);
     });

@@ -89,8 +89,8 @@ std::optional<int> temporary_writer(std::string_view file_name) {
   if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;
   file_name.remove_prefix(kTemporaryPrefix.size());
   int process = 0;
-  const char* const end = file_name.data() + file_name.size();
-  const auto [rest, status] = std::from_chars(file_name.data(), end, process);
+  const char *const begin = file_name.data(), *const end = begin + file_name.size();
+  const auto [rest, status] = std::from_chars(begin, end, process);
   if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
   return process;
 }

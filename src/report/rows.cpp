@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/enum_names.hpp"
 #include "case/taxonomy.hpp"
@@ -30,8 +31,7 @@ void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double p
     }
     open->answers.push_back({given.method, given.outcome, given.toi});
     if (&given != &evaluated.answers.back() && (&given)[1].factor == given.factor) continue;
-    keep(*std::move(open), known, given.factor);
-    open.reset();
+    keep(*std::exchange(open, std::nullopt), known, given.factor);
   }
 }
 

@@ -205,7 +205,7 @@ tl::expected<void, Fault> read_toi(const JsonValue* value, double t_max, PluginA
     return answer_fault("toi outside",
                         fmt::format("hit at the time {}, and t_max is {}", *toi, t_max));
   }
-  out.answer.toi = *toi;
+  out.answer.toi = toi;
   if (is_given(upper)) {
     const std::optional<double> last = number_of(upper);
     if (!last) return garbage_answer(fmt::format("hit until {}, which is no time", shown(*upper)));
@@ -350,7 +350,7 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   } else if (verdict != "inconclusive") {
     return garbage_answer(fmt::format("gives no verdict that there is: {}", line.substr(0, 80)));
   } else if (const auto toi = number_of(object.find("toi")); toi && *toi >= 0 && *toi <= t_max) {
-    out.answer.toi = *toi;
+    out.answer.toi = toi;
   }
   return out;
 }
