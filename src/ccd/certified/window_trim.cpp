@@ -52,6 +52,7 @@ bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_e
   for (int step = 0; step < kSteps; ++step) {
     const HeightLines::Gap gap = lines.gap(sign, t);
     if (gap.height < -bound) {
+      CCDFUZZ_ASSERT(lines.extent(sign, t).max - lines.extent(1 - sign, t).min < -bound);
       CCDFUZZ_ASSERT(seen.lo <= t && t <= seen.hi);
       if (low_end) {
         w.lo = std::max(w.lo, t);
