@@ -67,6 +67,7 @@ void check_same_motion(Draw& d) {
 void check_late_linear_proof(Draw& d) {
   constexpr std::array kLinear = {Shape::point(), Shape::curve(1), Shape::triangle(1)};
   const Shape first = d.pick(kLinear), second = d.pick(kLinear);
+  suppose(is_linear_pair(first, second));
   const Case drawn = draw_contact_with_ends(d, {.shapes = {{first, second}}});
   show(d, "contact", drawn);
   CLAIM(!check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}));

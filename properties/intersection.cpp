@@ -179,7 +179,7 @@ std::vector<Property> intersection_claims() {
        "Eqs. 3a and 3b as Eq. 4 has them", [](Draw& d) { claim_overlap(d, false); }},
       {"paper.steps_are_exact",
        "In exact arithmetic, Steps II and III find just the times at which all pairs of lines are "
-       "in order, which are one interval",
+       "in order",
        "Section 3, Eqs. 5-10", check_steps_are_exact},
       {"paper.eps_tau", "The quotient of Eq. 10 is off by at most eps_tau", "Appendix C.2",
        check_eps_tau},

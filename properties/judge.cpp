@@ -203,14 +203,18 @@ void check_terms_of_space(Draw& d) {
 }
 
 /// A case about two points that meet once, which says what is false or has no proof. What is later
-/// than the contact is so by a ratio that halving finds, else certificates L take long to refuse.
+/// than the contact is mostly so by a ratio that halving finds, else certificates L take long to
+/// refuse.
 Case draw_unproven(Draw& choices) {
   const double contact = sixteenths(choices.integer(1, 16));
   const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
   Case lie = points_that_meet(choices, contact, size);
   lie.query.t_max = sixteenths(choices.integer(0, 32));
   const Rational half = exact(contact / 2);
-  const Rational later = exact(contact) * 16 / static_cast<long>(choices.integer(1, 15));
+  const long k = static_cast<long>(choices.integer(1, 15));
+  const bool is_halved = choices.choose(31) != 31;
+  const Rational later =
+      is_halved ? Rational(exact(contact) * 16 / k) : exact(contact + sixteenths(k));
   Truth& truth = lie.truth;
   truth = {};
   switch (choices.choose(5)) {

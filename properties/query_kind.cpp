@@ -66,6 +66,7 @@ Case draw_of(Draw& d, const QueryKind& kind) {
   GeneratorOptions options;
   options.family = d.pick(kind.families);
   options.contact = d.pick(kContactClasses);
+  options.proof_pops = 1000;
   suppose(is_made(options.family, options.contact, options.kind));
   return generate(options, d).value;
 }
