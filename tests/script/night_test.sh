@@ -24,3 +24,13 @@ done
 # Ctrl-C while claims are checked: no hunt begins.
 CCDFUZZ_NIGHT_TESTS=none timeout -s INT 4 "$work/script/night" --seconds 60 >"$work/out" 2>&1 || true
 ! grep -q 'queries drawn' "$work/out" || { cat "$work/out" && exit 1; }
+
+# SIGTERM ends what runs, too.
+CCDFUZZ_NIGHT_TESTS=none "$work/script/night" --seconds 60 >"$work/out" 2>&1 &
+night=$!
+until child=$(pgrep -P "$night" -x ccdfuzz); do kill -0 "$night" && sleep 0.1; done
+kill "$night"
+code=0
+wait "$night" || code=$?
+[ "$code" = 143 ] || { echo "after SIGTERM: exit code $code" && exit 1; }
+! kill -0 "$child" 2>/dev/null || { echo 'SIGTERM leaves a process' && kill "$child" && exit 1; }
