@@ -97,12 +97,10 @@ TEST_F(Hostile, ManyCasesInAFewCompressedBytesEndAtALimitThatCountsBytes) {
   ASSERT_TRUE(writer.finish());
   EXPECT_LT(std::filesystem::file_size(path), 10'000U);
   refused(limited("verify " + path), "checking the cases up to this one takes more than ");
-  for (const char* command :
-       {"query --json --methods tdibm", "replay --json --methods tdibm --expect correct"}) {
-    refused(
-        shell(fmt::format("ulimit -v 1048576; ulimit -t 120; \"$ccdfuzz\" {} {}", command, path)),
-        "this case and all after it are left undecided");
-  }
+  refused(shell("ulimit -v 1048576; ulimit -t 120; \"$ccdfuzz\" replay --json --methods tdibm "
+                "--expect correct " +
+                path),
+          "this case and all after it are left undecided");
 }
 
 /// All leaves of a tree hold the same bits: "0 1".
