@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""links.py: each relative link, anchor and path that a page names is there; exits with 1 otherwise.
+"""links.py: each relative link, anchor, path and property that a page names is there; exits with 1 otherwise.
 
-Pages as in prose.py. A path is a code span that begins with a folder of the project; * is as in a shell. One with
-a word in capitals is a pattern, and not looked up.
+Pages as in prose.py, and derivations. A path is a code span that begins with a folder of the project; * is as in a
+shell. One with a word in capitals is a pattern, and not looked up. A property is a code span that begins with the
+group of one. A planted fault may have the same group.
 """
+import fnmatch
 import re
 import sys
 
@@ -11,6 +13,12 @@ from prose import ROOT, pages
 
 FOLDERS = ('src', 'generators', 'properties', 'fuzz', 'tests', 'corpus', 'bench', 'cmake', 'script', 'docs', 'examples',
            'web', '.github', '.clusterfuzzlite')
+
+STORED = (ROOT / 'tests/golden/properties.txt').read_text()
+FAULTS = (ROOT / 'bench/scoreboard/faults.txt').read_text()
+KNOWN = re.findall(r'^{"property":"([^"]+)"', STORED, re.M) + re.findall(r'^fault: (\S+)', FAULTS, re.M)
+GROUPS = {name.partition('.')[0] for name in KNOWN}
+ENDINGS = '.c .md .json .jsonl .hpp .cpp .txt .mjs .zst'
 
 
 def without_code(text):
@@ -38,10 +46,15 @@ def check(page):
     for path in re.findall(rf'`((?:{"|".join(map(re.escape, FOLDERS))})/[\w./*-]*)`', text):
         if not any(ROOT.glob(path)) and not re.search(r'\b[A-Z]{2,}\.|/[A-Z]{2,}$', path.replace('README.', '')):
             yield f'no {path}'
+    for name in re.findall(r'`([a-z-]+\.[a-z_*]+)`', text):
+        group, _, ending = name.partition('.')
+        if group in GROUPS and f'.{ending}' not in ENDINGS.split() and not fnmatch.filter(KNOWN, name):
+            yield f'no property {name}'
 
 
 def main():
-    found = [f'{page.relative_to(ROOT)}: {what}' for page in pages() for what in check(page)]
+    found = [f'{page.relative_to(ROOT)}: {what}' for page in [*pages(), *ROOT.glob('src/**/DERIVATION.md')]
+             for what in check(page)]
     print(*found, f'{len(found)} broken', sep='\n')
     return 1 if found else 0
 
