@@ -52,14 +52,14 @@ int complain(const std::string& message, int code, const std::string& command = 
 /// A thread that is not ours may throw, as TBB's do where the system starts no more of them.
 [[noreturn]] void end_on_uncaught() {
   remove_unfinished_files();
-  std::string what = "ended by no exception, or an unknown one";
+  std::string what = "internal error: ended by no exception, or an unknown one";
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::exception& error) {
-    what = error.what();
+    what = ended_by(error);
   } catch (...) {  // NOLINT: no text is known
   }
-  complain("internal error: " + what, kInternal);
+  complain(what, kInternal);
   ::_exit(kInternal);
 }
 
@@ -303,8 +303,8 @@ CommandLine::CommandLine(const std::vector<Property>& properties, FindSuite find
   app_->set_version_flag("-V,--version", CCDFUZZ_VERSION, "Show the version");
   app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
   app_->footer(
-      "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal error,\n"
-      "128 + the signal: interrupted (130 by Ctrl-C). Help: ccdfuzz help COMMAND");
+      "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal or system\n"
+      "error, 128 + the signal: interrupted (130 by Ctrl-C). Help: ccdfuzz help COMMAND");
   add_help();
 }
 
@@ -353,7 +353,7 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   try {
     return parse_and_run_chosen(argc, argv);
   } catch (const std::exception& error) {
-    return complain(fmt::format("internal error: {}", error.what()), kInternal);
+    return complain(ended_by(error), kInternal);
   }
 }
 

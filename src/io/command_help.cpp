@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <new>
 #include <set>
+#include <system_error>
 
 #include "base/text.hpp"
 
@@ -159,6 +161,12 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   if (at == std::string::npos) return text;
   const std::string value = text.substr(at + kMissing.size());
   return text.substr(0, at) + ": needs a value, " + value.substr(0, value.find(' '));
+}
+
+std::string ended_by(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "there is no memory left";
+  const bool is_refused = dynamic_cast<const std::system_error*>(&error) != nullptr;
+  return fmt::format("{}: {}", is_refused ? "the system refuses" : "internal error", error.what());
 }
 
 }  // namespace ccdfuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,5 +34,8 @@ std::string no_such_command(const CLI::App& app, const std::string& name);
 
 /// The error of a command line, as "object: problem".
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
+
+/// What ended a command: a fault of ours, or a want of what the system gives.
+std::string ended_by(const std::exception& error);
 
 }  // namespace ccdfuzz
