@@ -160,6 +160,8 @@ TEST(RunHeader, TakesNumbersOfOptionsAsTheirValues) {
   const RunHeader decimal = header_of(4, {}, "0.0001");
   EXPECT_FALSE(decimal.difference(header_of(4, {}, "1e-4")));
   EXPECT_TRUE(decimal.difference(header_of(4, {}, "0.0002")));
+  EXPECT_FALSE(header_of(4, {}, "1,1.5").difference(header_of(4, {}, "1.0,15e-1")));
+  EXPECT_TRUE(header_of(4, {}, "1,1.5").difference(header_of(4, {}, "1,1.5,1.5")));
   // Which are the same double.
   EXPECT_TRUE(
       header_of(4, {}, "9007199254740993").difference(header_of(4, {}, "9007199254740992")));
