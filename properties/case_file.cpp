@@ -84,7 +84,8 @@ Case draw_any_case(Draw& d) {
   if (d.coin()) origin.more["label"] = "1e-2";
   if (d.coin()) drawn.asked = {0.01, 1 + d.choose(8)};
   const Outcome expected = d.pick(kAllOutcomes);
-  if (d.coin()) drawn.expect["tdibm-h:1e-12"] = {expected, d.coin() ? "left root" : ""};
+  const char* const cause = is_failure(expected) ? "left root" : "";
+  if (d.coin()) drawn.expect["tdibm-h:1e-12"] = {expected, d.coin() ? cause : ""};
   return drawn;
 }
 

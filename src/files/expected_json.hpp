@@ -1,5 +1,9 @@
 #pragma once
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "case/case.hpp"
@@ -7,7 +11,12 @@
 
 namespace ccdfuzz {
 
-/// Where there is no cause, its outcome alone.
+/// The causes of failures: what lost a contact (loss_signature.hpp), and kinds of bodies.
+inline constexpr std::array<std::string_view, 9> kCauses = {
+    "hull", "left root",      "right root", "both roots", "whole window",
+    "mesh", "one-sided mesh", "spin",       "turn"};
+
+/// Where there is no cause, its outcome alone. An error has a cause of any name.
 template <>
 struct JsonForm<Expected> {
   struct Record {
@@ -16,7 +25,12 @@ struct JsonForm<Expected> {
 
     static void fields(auto& archive, auto& record) {
       archive("outcome", record.outcome);
-      archive("cause", record.cause);
+      archive("cause", record.cause, [&](const std::string& cause) -> std::string {
+        if (cause.empty() || record.outcome == Outcome::kError) return "";
+        if (!is_failure(record.outcome)) return "stands beside an outcome that has no cause";
+        if (std::ranges::find(kCauses, cause) != kCauses.end()) return "";
+        return fmt::format("is none of: {}", fmt::join(kCauses, ", "));
+      });
     }
   };
 

@@ -110,6 +110,22 @@ TEST(CaseJson, WritesTheShortestTextInAFixedOrder) {
             R"("trad":{"outcome":"missed","cause":"hull"}}})");
 }
 
+TEST(CaseJson, CausesAreThoseThatFailuresHave) {
+  const auto error_of = [](const Expected& expected) {
+    Case c = *parse_case(number_case("1"), "c.json");
+    c.expect["tdibm"] = expected;
+    const auto read = parse_case(to_json(c), "c.json");
+    return read ? "" : read.error().message();
+  };
+  EXPECT_EQ(error_of({Outcome::kMissed, "both roots"}), "");
+  EXPECT_EQ(error_of({Outcome::kFalsePositive, "one-sided mesh"}), "");
+  EXPECT_EQ(error_of({Outcome::kError, "exit 7"}), "");
+  EXPECT_THAT(error_of({Outcome::kMissed, "Left root"}),
+              testing::HasSubstr("expect.tdibm.cause: \"Left root\" is none of: hull, left root"));
+  EXPECT_THAT(error_of({Outcome::kCorrect, "hull"}),
+              testing::HasSubstr("\"hull\" stands beside an outcome that has no cause"));
+}
+
 TEST(CaseJson, VersionOneIsReadAndItsFurtherKeysAreCarriedOver) {
   std::string text = number_case("1");
   text.insert(text.rfind('}'),
