@@ -40,16 +40,13 @@ Attempt ends_case;
 /// separation.
 Attempt separated_case;
 
-/// bodies.cpp: two bodies (ShapeKind::kHull), as framed_bodies makes them.
-Attempt bodies_case;
-
 /// bodies.cpp: two bodies that touch without depth, by t* at the latest: they move along the plane
 /// that is between them. So a vertex passes exactly through another, or along a face. A ball
 /// touches an edge or a vertex for one instant, as it passes by. The oracle decides. RP: kept is
 /// what is apart at 0 and touches. NMN: they are moved apart by a step (just_missing.hpp).
 Attempt grazing_bodies_case;
 
-/// turning.cpp: two bodies of which one turns, or both. They touch as those of bodies_case do. At
+/// turning.cpp: two bodies of which one turns, or both. They touch as those of framed_bodies do. At
 /// t* < 1 a turn is the identity, so that the contact is planted there whatever turns. `from` is
 /// −t*·d beside a number that makes its length about 1, and `to` is (1 − t*)·d so. All numbers are
 /// floats. With options.plane bodies turn by cosine and sine, else by quaternions. Kept is what the
@@ -63,18 +60,18 @@ Attempt grazing_bodies_case;
 /// (just_missing.hpp).
 Attempt turning_case;
 
-/// turning.cpp: the same of bodies that spin: as spin_back says, from where those of bodies_case
+/// turning.cpp: the same of bodies that spin: as spin_back says, from where those of framed_bodies
 /// touch at t*. So they touch near t*, and as the class says but for that rounding. Kept is what
 /// the oracle proves to touch within 2^-10 of t* first. RP: t* < t_max ≤ 1. RN: t_max is eps_t or a
 /// little more before the contact.
 Attempt spinning_case;
 
-/// mesh.cpp: a convex body and a mesh (case/mesh.hpp). They touch as two bodies of bodies_case do,
-/// of which one gave its points to the mesh. What is in contact is inside of a face, on an edge of
-/// two faces, or a corner of a fan. More faces are put to edges that there are. Their third corners
-/// are those of others, across the edge in the face's plane, far away along the edge, or anywhere.
-/// So there are strips, folded sheets and long thin triangles, and some close a tetrahedron. In one
-/// mesh of four the body nearly grazes a face before. All numbers are floats.
+/// mesh.cpp: a convex body and a mesh (case/mesh.hpp). They touch as two bodies of framed_bodies
+/// do, of which one gave its points to the mesh. What is in contact is inside of a face, on an edge
+/// of two faces, or a corner of a fan. More faces are put to edges that there are. Their third
+/// corners are those of others, across the edge in the face's plane, far away along the edge, or
+/// anywhere. So there are strips, folded sheets and long thin triangles, and some close a
+/// tetrahedron. In one mesh of four the body nearly grazes a face before. All numbers are floats.
 ///
 /// The oracle decides. Kept is what touches at t* first, or does not. One-sided, the faces that are
 /// touched are fronts. In half of the cases RN, which end after t*, the body comes from behind.

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "base/verify.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
-#include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/attempts.hpp"
 #include "generators/just_missing.hpp"
@@ -254,21 +252,14 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
                                  : s == 1   ? common + approach
                                             : common + -1 * approach);
     MovingPatch<double>& hull = query.patches[s];
-    const auto real = [&](const Whole& p, int exponent) {
-      Vec3<double> x;
-      for (int k = 0; k < 3; ++k) {
-        x[k] = std::ldexp(static_cast<double>(p[static_cast<size_t>(k)]), exponent);
-      }
-      return x;
-    };
     for (Whole p : bodies[s].points) {
       if (s == 1) p[2] = -p[2];
       p = kParts * p;
       if (s == 1) p[2] += lift + gap;
       const Whole start = frame(p) + -eighths * velocity + kParts * place;
-      hull.positions.push_back(real(start, unit - 3));
+      hull.positions.push_back(times_power(start, unit - 3));
     }
-    hull.velocities.push_back(real(velocity, unit));
+    hull.velocities.push_back(times_power(velocity, unit));
     hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
     hull.radius = std::ldexp(static_cast<double>(radius[s]), unit - 3);
     witness.weights[s] = bodies[s].weights;
@@ -298,14 +289,6 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
   if (touches) truth.witness = witness;
   if (!touches) truth.proof = proof_word(*truth.clearance);
   return out;
-}
-
-tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Draw& draw) {
-  tl::expected<Case, Discard> made = framed_bodies(options, eps_t, draw);
-  CCDFUZZ_VERIFY(!made || check_truth(*made));
-  CCDFUZZ_VERIFY(!made || check_clearance(made->query, *made->truth.clearance, ""));
-  return made;
 }
 
 tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,

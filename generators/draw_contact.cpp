@@ -17,24 +17,6 @@ namespace {
 constexpr int kContactUvBits = 2;
 constexpr int kTwinUlps = 2;
 
-/// Columns: two directions of the contact plane, and one out of it.
-using ContactFrame = std::array<Vec3<Dyadic>, 3>;
-
-ContactFrame draw_frame(Draw& choices) {
-  ContactFrame frame;
-  for (int c = 0; c < 3; ++c) {
-    for (int k = 0; k < 3; ++k) {
-      frame[static_cast<std::size_t>(c)][k] =
-          Dyadic((c == k ? 1 : 0) + static_cast<int>(choices.integer(-2, 2)));
-    }
-  }
-  return frame;
-}
-
-Vec3<Dyadic> in_frame(const ContactFrame& frame, const Vec3<Dyadic>& local) {
-  return frame[0] * local[0] + frame[1] * local[1] + frame[2] * local[2];
-}
-
 /// For each control point, whether its Bernstein weight at uv is not 0.
 std::vector<bool> bearing_controls(const Shape& shape, const Uv<Dyadic>& uv) {
   std::vector<bool> bearing;
@@ -108,7 +90,8 @@ Result<void> validate(const ContactRange& range) {
 
 Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
-  const ContactFrame frame = draw_frame(choices);
+  // Two directions of the contact plane, and one out of it.
+  const Columns frame = draw_columns(choices, 2);
   Vec3<Dyadic> contact, common;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
   const long common_exponent = static_cast<long>(choices.integer(-3, 12));
@@ -129,9 +112,9 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
     patch.shape = side.shape;
     Points<Dyadic> positions, velocities;
     for (std::size_t i = 0; i < side.local.size(); ++i) {
-      const Vec3<Dyadic> v = common + in_frame(frame, side.velocity[i]);
+      const Vec3<Dyadic> v = common + frame * side.velocity[i];
       velocities.push_back(v);
-      positions.push_back(contact + in_frame(frame, side.local[i]) - v * t);
+      positions.push_back(contact + frame * side.local[i] - v * t);
     }
     CCDFUZZ_TRY(patch.positions, scaled_doubles(positions, scale));
     CCDFUZZ_TRY(patch.velocities, scaled_doubles(velocities, scale));

@@ -33,6 +33,16 @@ Vec3<double> draw_integers(Draw& choices, std::int64_t most) {
   return v;
 }
 
+Columns draw_columns(Draw& choices, std::int64_t most) {
+  Columns columns;
+  for (int k = 0; k < 3; ++k) {
+    Vec3<Dyadic>& column = columns[static_cast<std::size_t>(k)];
+    column = exact_dyadic(draw_integers(choices, most));
+    column[k] += Dyadic(1);
+  }
+  return columns;
+}
+
 Result<Points<double>> scaled_doubles(Points<Dyadic> points, long scale) {
   for (Vec3<Dyadic>& p : points) {
     for (Dyadic& x : p) x = x.scaled(scale);
@@ -145,27 +155,26 @@ Query draw_small_query(Draw& choices, int max_degree) {
   return query;
 }
 
-Query draw_any_query(Draw& choices) {
+Query draw_query(Draw& choices, int max_degree, const std::function<double(Draw&)>& draw_number) {
   Query drawn;
   for (MovingPatch<double>& patch : drawn.patches) {
-    patch.shape = draw_shape(choices, 2);
+    patch.shape = draw_shape(choices, max_degree);
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
       points->resize(static_cast<std::size_t>(patch.shape.control_count()));
     }
-    for_each_coordinate(patch, [&](double& x) { x = choices.finite_double(); });
+    for_each_coordinate(patch, [&](double& x) { x = draw_number(choices); });
   }
+  return drawn;
+}
+
+Query draw_any_query(Draw& choices) {
+  Query drawn = draw_query(choices, 2, [](Draw& d) { return d.finite_double(); });
   drawn.t_max = std::abs(choices.finite_double());
   return drawn;
 }
 
 Query draw_extreme_query(Draw& choices) {
-  Query drawn;
-  for (MovingPatch<double>& patch : drawn.patches) {
-    patch.shape = draw_shape(choices, 2);
-    const auto count = static_cast<std::size_t>(patch.shape.control_count());
-    patch.positions.resize(count);
-    patch.velocities.resize(count);
-  }
+  Query drawn = draw_query(choices, 2, [](Draw&) { return 0.0; });
   auto& [a, b] = drawn.patches;
   // Where the ones are all alike, the scale is that of the others alone.
   const std::uint64_t alike = choices.choose(3);

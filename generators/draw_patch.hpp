@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <functional>
+
 #include "base/result.hpp"
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
@@ -18,6 +21,13 @@ Shape draw_surface(Draw& choices, int max_degree);
 /// Three whole numbers from −most to most.
 Vec3<double> draw_integers(Draw& choices, std::int64_t most);
 
+/// The three axes, each of them off by such a vector.
+using Columns = std::array<Vec3<Dyadic>, 3>;
+Columns draw_columns(Draw& choices, std::int64_t most);
+inline Vec3<Dyadic> operator*(const Columns& columns, const Vec3<Dyadic>& v) {
+  return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2];
+}
+
 /// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent);
 
@@ -35,6 +45,10 @@ Cell draw_cell(Draw& choices, const Shape& shape, int max_depth);
 /// Integer coordinates within 8 of 0 and speeds of less than 2, in any two shapes of degree at most
 /// max_degree; of points if that is 0. t_max is 1.
 Query draw_small_query(Draw& choices, int max_degree);
+
+/// Any two shapes of degree at most max_degree, each coordinate as draw_number draws it. t_max
+/// is 1.
+Query draw_query(Draw& choices, int max_degree, const std::function<double(Draw&)>& draw_number);
 
 /// Any finite numbers at all, in any two shapes of degree at most 2.
 Query draw_any_query(Draw& choices);

@@ -1,17 +1,11 @@
 #include "generators/frame.hpp"
+
+#include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-Vec3<Dyadic> integer_vector(Draw& draw) {
-  Vec3<Dyadic> v;
-  for (int k = 0; k < 3; ++k) {
-    v[k] = Dyadic(static_cast<int>(draw.integer(-kFrameBound, kFrameBound)));
-  }
-  return v;
-}
 
 /// a·b' − a'·b
 Dyadic area(const Planar& a, const Planar& b) {
@@ -31,13 +25,13 @@ PlaneFrame random_frame(Draw& draw) {
   frame.tangent = draw.until(
       [&] {
         std::array<Vec3<Dyadic>, 2> tangent;
-        for (Vec3<Dyadic>& t : tangent) t = integer_vector(draw);
+        for (Vec3<Dyadic>& t : tangent) t = exact_dyadic(draw_integers(draw, kFrameBound));
         return tangent;
       },
       [&](const auto& tangent) { return normal(tangent) != zero; });
   frame.normal = normal(frame.tangent);
   const auto side = [&](const Vec3<Dyadic>& out) { return dot(frame.normal, out).sign(); };
-  frame.out = draw.until([&] { return integer_vector(draw); },
+  frame.out = draw.until([&] { return exact_dyadic(draw_integers(draw, kFrameBound)); },
                          [&](const Vec3<Dyadic>& out) { return side(out) != 0; });
   if (side(frame.out) < 0) frame.out = -frame.out;
   return frame;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/verify.hpp"
+#include "certify/checker/check_case.hpp"
 #include "generators/attempts.hpp"
 #include "generators/bodies.hpp"
 #include "generators/elsewhere.hpp"
@@ -29,10 +30,6 @@ std::string_view description_of(Family family) {
 }
 
 namespace {
-
-bool is_grazing(CaseKind kind) {
-  return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
-}
 
 int eps_t_exponent(const GeneratorOptions& options) {
   const bool grazes = is_grazing(options.kind) || is_grazing(options.family);
@@ -190,6 +187,8 @@ Generated generate(const GeneratorOptions& options, Draw& draw) {
         return tried;
       },
       [](const auto& tried) { return tried.has_value(); });
+  // Scenes of patches are checked where they become cases.
+  CCDFUZZ_VERIFY(row_of(options.family).attempt == nullptr || check_case(*made));
   out.value = *made;
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);

@@ -86,6 +86,10 @@ constexpr bool is_grazing(Family family) {
          family == Family::kMeshGrazingOneSided || family == Family::kTurningGrazing ||
          family == Family::kSpinningGrazing;
 }
+/// Those of patches that move along each other, or would.
+constexpr bool is_grazing(CaseKind kind) {
+  return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
+}
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
   return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generators/draw_patch.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/motion.hpp"
 #include "generators/tangent_cone.hpp"
@@ -47,12 +48,6 @@ std::optional<std::array<Vec3<Dyadic>, 2>> tangents_across(const Vec3<Dyadic>& n
     tangents[static_cast<size_t>(i)] = *unit;
   }
   return tangents;
-}
-
-Vec3<Dyadic> small_vector(Draw& draw) {
-  Vec3<Dyadic> v;
-  for (int k = 0; k < 3; ++k) v[k] = Dyadic(static_cast<int>(draw.integer(-kSmall, kSmall)));
-  return v;
 }
 
 /// ±normal with both cones on their sides of its plane; nullopt if neither sign has them so.
@@ -101,7 +96,7 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
   for (int attempt = 0; attempt < (given ? 1 : kTries); ++attempt) {
     for (Vec3<Dyadic>* line : {&lines[0], &lines[1]}) {
       const bool free = !given && (line == &lines[1] || cones[1].lines.empty());
-      if (free) *line = small_vector(draw);
+      if (free) *line = exact_dyadic(draw_integers(draw, kSmall));
     }
     const Vec3<Dyadic> candidate = cross(lines[0], lines[1]);
     if (candidate == Vec3<Dyadic>()) continue;

@@ -4,7 +4,7 @@
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/finalize.hpp"
-#include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -24,23 +24,6 @@ Shape any_surface(Draw& draw) {
   return Shape::tensor(n, degree(3));
 }
 
-/// A point on a feature of the shape.
-Uv<Dyadic> any_point_on(Feature feature, const Shape& shape, Draw& draw) {
-  if (shape.kind == ShapeKind::kTriangle) {
-    const Barycentric x = prescribe_anywhere(feature, kParameterBits, draw);
-    return {x[0], x[1]};
-  }
-  const auto end = [&] { return Dyadic(static_cast<int>(draw.below(2))); };
-  const auto inner = [&] {
-    return Dyadic(Integer(static_cast<long>(draw.integer(1, 3))), -kParameterBits);
-  };
-  Uv<Dyadic> uv;
-  uv[0] = feature == Feature::kFace ? inner() : end();
-  uv[1] = feature == Feature::kCorner ? end() : inner();
-  if (feature == Feature::kEdge && draw.coin()) std::swap(uv[0], uv[1]);
-  return uv;
-}
-
 }  // namespace
 
 Case planted_case(ContactClass contact, Draw& draw) {
@@ -53,7 +36,7 @@ Case planted_case(ContactClass contact, Draw& draw) {
   const Vec3<Dyadic> point = draw.vector(kPlantedBits, kPlantedUnit);
   for (size_t s = 0; s < 2; ++s) {
     const Shape shape = any_surface(draw);
-    const Uv<Dyadic> uv = any_point_on(features[s], shape, draw);
+    const Uv<Dyadic> uv = point_on(features[s], shape, kParameterBits, draw);
     witness.uv[s] = {uv[0].rational(), uv[1].rational()};
     MovingPatch<Dyadic>& patch = scene.patches[s];
     patch.shape = shape;

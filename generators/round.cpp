@@ -128,14 +128,6 @@ RoundSide draw_other(ContactClass contact, Draw& draw) {
   return out;
 }
 
-Vec3<double> times_power(const Whole& p, int exponent) {
-  Vec3<double> x;
-  for (int k = 0; k < 3; ++k) {
-    x[k] = std::ldexp(static_cast<double>(p[static_cast<std::size_t>(k)]), exponent);
-  }
-  return x;
-}
-
 }  // namespace
 
 Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {

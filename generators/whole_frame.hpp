@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "generators/draw/draw.hpp"
@@ -27,6 +28,15 @@ inline Whole any_whole(Draw& draw, std::int64_t most) {
   Whole out{};
   for (std::int64_t& x : out) x = draw.integer(-most, most);
   return out;
+}
+
+/// p·2^exponent
+inline Vec3<double> times_power(const Whole& p, int exponent) {
+  Vec3<double> x;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = std::ldexp(static_cast<double>(p[static_cast<std::size_t>(k)]), exponent);
+  }
+  return x;
 }
 
 /// Three directions of the frame's coordinates. `length`: that of each, where they are at right

@@ -50,21 +50,11 @@ int any_int(Draw& choices) {
 }
 
 /// Small numbers, so that a method which looks at them answers soon.
-void fill(Draw& choices, Points<double>& points, std::size_t count) {
-  points.resize(count);
-  for (Vec3<double>& p : points) p = draw_integers(choices, 8) / 4;
-}
-
 Question draw_valid(Draw& choices) {
   constexpr std::array kMaxDegrees = {1, 2, 1, 2, 1, 2, 1, kMaxDegree};
   Question drawn;
-  const int max_degree = choices.pick(kMaxDegrees);
-  for (MovingPatch<double>& patch : drawn.query.patches) {
-    patch.shape = draw_shape(choices, max_degree);
-    const auto count = static_cast<std::size_t>(patch.shape.control_count());
-    fill(choices, patch.positions, count);
-    fill(choices, patch.velocities, count);
-  }
+  drawn.query = draw_query(choices, choices.pick(kMaxDegrees),
+                           [](Draw& d) { return static_cast<double>(d.integer(-8, 8)) / 4; });
   drawn.query.t_max = static_cast<double>(choices.integer(0, 8)) / 4;
   drawn.options.precision = std::ldexp(1.0, -static_cast<int>(choices.choose(60)));
   drawn.options.max_pops = choices.choose(4);

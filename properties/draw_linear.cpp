@@ -97,20 +97,11 @@ void plant_contact(Draw& choices, const Dyadic& t, LinearScene& scene) {
 
 /// Turns and shears everything, and gives it a common velocity.
 void place(Draw& choices, LinearScene& scene) {
-  std::array<Vector, 3> columns;
-  for (int c = 0; c < 3; ++c) {
-    for (int k = 0; k < 3; ++k) {
-      columns[static_cast<std::size_t>(c)][k] =
-          Dyadic((c == k ? 1 : 0) + static_cast<int>(choices.integer(-1, 1)));
-    }
-  }
+  const Columns columns = draw_columns(choices, 1);
   const Vector common = draw_small_vector(choices, 3);
-  const auto turned = [&](const Vector& v) -> Vector {
-    return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2];
-  };
   for (LinearSide& side : scene) {
-    for (Vector& p : side.corners) p = turned(p);
-    for (Vector& v : side.velocities) v = turned(v) + common;
+    for (Vector& p : side.corners) p = columns * p;
+    for (Vector& v : side.velocities) v = columns * v + common;
   }
 }
 

@@ -212,20 +212,15 @@ void check_any_case(Draw& d) {
   const int most_degree = d.coin() ? 1 : kMaxDegree;
   std::array<double, 6> numbers{};
   for (double& x : numbers) x = d.finite_double();
+  // Each number a few times over, in an order that depends on the choices.
+  std::size_t step = 1 + d.choose(4), at = 0;
+  const auto next = [&](Draw&) {
+    if (at % 5 == 4) ++step;
+    return numbers[(at += step) % numbers.size()];
+  };
   Case value;
+  value.query = draw_query(d, most_degree, next);
   value.query.t_max = std::abs(numbers[0]);
-  for (MovingPatch<double>& patch : value.query.patches) {
-    patch.shape = draw_shape(d, most_degree);
-    const auto count = static_cast<std::size_t>(patch.shape.control_count());
-    // Each number a few times over, in an order that depends on the choices.
-    std::size_t step = 1 + d.choose(4), at = 0;
-    const auto next = [&] { return numbers[(at += step) % numbers.size()]; };
-    for (std::size_t i = 0; i < count; ++i) {
-      patch.positions.emplace_back(next(), next(), next());
-      patch.velocities.emplace_back(next(), next(), next());
-      if (i % 5 == 4) ++step;
-    }
-  }
   value.truth = draw_any_truth(d, value.query, draw_long_fraction);
   const std::string tree = draw_any_tree(d);
   const Result<Case> read = parse_case(to_json(value), "file");

@@ -153,16 +153,9 @@ void check_naive_search(Draw& d) {
   // may differ in the last of their 16 bits.
   constexpr double kAxisRounding = 0x1p-14;
   const bool fine = d.coin();
-  Query query;
-  for (MovingPatch<double>& patch : query.patches) {
-    patch.shape = draw_shape(d, 2);
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
-    }
-    for_each_coordinate(patch, [&](double& x) {
-      x = *d.lattice(fine ? 12 : 1, fine ? -6 : 0).to_double_exactly();
-    });
-  }
+  Query query = draw_query(d, 2, [fine](Draw& choices) {
+    return *choices.lattice(fine ? 12 : 1, fine ? -6 : 0).to_double_exactly();
+  });
   query.t_max = d.pick(std::array{0.0, 1.0, 0.1, 2.0});
   const auto apart = static_cast<double>(d.integer(0, 4));
   for (Vec3<double>& p : query.patches[1].positions) p[0] += apart;

@@ -1,5 +1,7 @@
 #include "generators/shaped/families.hpp"
 
+#include "generators/bodies.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -77,7 +79,7 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kAnywhere, "anywhere",
      "contacts of these families and others in any scale and place; some witness only", of(kAll)},
     {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats",
-     of(kAll, kAll, kNone, kAll), nullptr, nullptr, bodies_case},
+     of(kAll, kAll, kNone, kAll), nullptr, nullptr, framed_bodies},
     {Family::kWeighted, "weighted", "rational patches, with weights of any kind; half witness only",
      of(kAll, kAll), nullptr, families::have_weights, weighted_case},
     {Family::kRound, "round", "exact spheres, cylinders, cones and tori; FF VF",

@@ -40,6 +40,10 @@ bool has_own_shapes(Family family);
 /// A random frame; shift and drift of many bits, as large as the patches.
 Placement random_placement(Draw& draw);
 
+/// Two patches that touch in the contact plane, each on its own side of it, and do not move yet.
+/// most_bits: of parameters.
+ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
+                         long height_unit, Draw& draw);
 /// A one-sided scene: Steps I, II and IV in one go, without solving or discarding anything. The
 /// patches touch in one point, each on its own side of the contact plane, and approach each other.
 /// A degree of 1 can leave a patch flat, and its contact a line or an area. t* = t_max = 1.

@@ -46,9 +46,8 @@ bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j);
 /// Calls visit(i, j) for every control point, in Shape's order.
 template <class Visit>
 void for_each_control(const Shape& shape, const Visit& visit) {
-  const bool triangle = shape.kind == ShapeKind::kTriangle;
   for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= (triangle ? shape.n - i : shape.m); ++j) visit(i, j);
+    for (int j = 0; j <= shape.last_column(i); ++j) visit(i, j);
   }
 }
 

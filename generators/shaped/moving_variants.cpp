@@ -17,21 +17,6 @@ Dyadic time_before_one(Draw& draw) {
   return {Integer(static_cast<long>(draw.integer(1, 7))), -3};
 }
 
-/// most_bits: of parameters.
-ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
-                         long height_unit, Draw& draw) {
-  ContactScene scene;
-  for (size_t s = 0; s < 2; ++s) {
-    const Shape& shape = shapes[s];
-    const int bits = std::min(most_bits, parameter_bits(shape));
-    const Uv<Dyadic> at = point_on(features_of(contact)[s], shape, bits, draw);
-    scene.sides[s] = flat_side(shape, at, false, draw);
-    raise(scene.sides[s].points, heights_over(shape, at, ZeroSet::kPoint, height_unit, draw));
-  }
-  turn_over(scene.sides[1]);
-  return scene;
-}
-
 /// Velocities along the contact plane: heights above it never change.
 void let_graze(ContactScene& scene, Draw& draw) {
   let_approach(scene, draw);
@@ -86,6 +71,20 @@ Placement random_placement(Draw& draw) {
   placement.shift = draw.vector(40, -35);
   placement.drift = draw.vector(17, -15);
   return placement;
+}
+
+ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
+                         long height_unit, Draw& draw) {
+  ContactScene scene;
+  for (size_t s = 0; s < 2; ++s) {
+    const Shape& shape = shapes[s];
+    const int bits = std::min(most_bits, parameter_bits(shape));
+    const Uv<Dyadic> at = point_on(features_of(contact)[s], shape, bits, draw);
+    scene.sides[s] = flat_side(shape, at, false, draw);
+    raise(scene.sides[s].points, heights_over(shape, at, ZeroSet::kPoint, height_unit, draw));
+  }
+  turn_over(scene.sides[1]);
+  return scene;
 }
 
 ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,

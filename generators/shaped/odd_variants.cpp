@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "generators/shaped/families.hpp"
-#include "generators/shaped/heights.hpp"
 
 namespace ccdfuzz {
 
@@ -17,14 +16,7 @@ constexpr int kLeastSqueeze = 4;  // of a sliver: 2^-4
 
 /// A regular scene whose numbers have so few bits that there is room for more.
 ContactScene coarse_scene(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  ContactScene scene;
-  for (size_t s = 0; s < 2; ++s) {
-    const Uv<Dyadic> at = point_on(features_of(contact)[s], shapes[s], kFewParameterBits, draw);
-    scene.sides[s] = flat_side(shapes[s], at, false, draw);
-    raise(scene.sides[s].points,
-          heights_over(shapes[s], at, ZeroSet::kPoint, kCoarseHeightUnit, draw));
-  }
-  turn_over(scene.sides[1]);
+  ContactScene scene = touching_at(contact, shapes, kFewParameterBits, kCoarseHeightUnit, draw);
   let_approach(scene, draw);
   return scene;
 }

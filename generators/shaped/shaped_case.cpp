@@ -15,10 +15,6 @@ namespace {
 
 constexpr ShapePair kTwoQuadratics = {Shape::triangle(2), Shape::triangle(2)};
 
-bool is_sliding_kind(CaseKind kind) {
-  return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
-}
-
 /// True iff a one-sided patch of this shape touches the contact plane in one point only.
 bool touches_in_one_point(const Shape& shape, Feature feature) {
   const bool curved = shape.n >= 2 && (shape.kind != ShapeKind::kTensor || shape.m >= 2);
@@ -40,7 +36,7 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
                                                 name_of(options.contact),
                                                 kNames[static_cast<size_t>(features[s])], shape));
     }
-    if (is_sliding_kind(options.kind) && !touches_in_one_point(shapes[s], features[s])) {
+    if (is_grazing(options.kind) && !touches_in_one_point(shapes[s], features[s])) {
       return input_error("--shape",
                          fmt::format("{} of {} needs degrees of 2 or more, not {}",
                                      name_of(options.kind), name_of(options.contact), shape));
@@ -56,7 +52,7 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
 }
 
 PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Draw& draw) {
-  if (is_sliding_kind(options.kind)) {
+  if (is_grazing(options.kind)) {
     return grazing_variant(options.kind == CaseKind::kNMN, options.contact, shapes, draw);
   }
   return row_of(options.family).make(options.contact, shapes, draw);
