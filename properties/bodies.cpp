@@ -15,8 +15,6 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
-
 Query draw_bodies(Draw& d) {
   const Query first = draw_planted(d, d.pick(kBodyCaseKinds)).query;
   return draw_mutant(d, first, draw_planted(d, CaseKind::kRP).query);

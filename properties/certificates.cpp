@@ -9,6 +9,7 @@
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/finalize.hpp"
+#include "generators/round.hpp"
 #include "generators/shaped/families.hpp"
 #include "numeric/products.hpp"
 #include "properties/query_kind.hpp"
@@ -20,20 +21,32 @@ namespace {
 
 /// A plane, or a patch that it separates, with one thing changed. The plane is turned round, or
 /// later, or on the wrong side of a patch by less than any move. A patch or one of its corners is
-/// beyond the plane, or the patches do not come nearer.
+/// beyond the plane, or the patches do not come nearer. Or the motion begins at the contact, where
+/// the plane proves nothing yet, or after it. Of round patches the plane alone is changed.
 void check_changed_plane(Draw& d) {
   const ContactClass contact = d.pick(kContactClasses);
-  const Case known =
-      supposed(to_case(touching(contact, {kQuadratic, kQuadratic}, d), random_placement(d), d));
+  const bool is_round = d.choose(3) == 3;
+  suppose(!is_round || is_made(Family::kRound, contact, CaseKind::kRP));
+  const Case known = is_round ? draw_round_case(contact, false, d)
+                              : supposed(to_case(touching(contact, {kQuadratic, kQuadratic}, d),
+                                                 random_placement(d), d));
   auto plane = std::get<MovingPlane>(*known.truth.clearance);
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (std::size_t s = 0; s < 2; ++s) patches[s] = exact_patch<Dyadic>(known.query.patches[s]);
-  enum class Change : std::uint8_t { kNone, kSide, kCorner, kOffset, kLater, kTurned, kNotNearer };
-  const Change change =
-      d.pick(std::array{Change::kNone, Change::kSide, Change::kCorner, Change::kOffset,
-                        Change::kLater, Change::kTurned, Change::kNotNearer});
+  enum class Change : std::uint8_t {
+    kNone,
+    kOffset,
+    kLater,
+    kTurned,
+    kSide,
+    kCorner,
+    kNotNearer,
+    kStart
+  };
+  const auto last = static_cast<std::uint64_t>(is_round ? Change::kTurned : Change::kStart);
+  const auto change = static_cast<Change>(d.choose(last));
   const std::uint64_t side = d.choose(1);
-  const Rational little = power_of_two(static_cast<int>(d.integer(-16, 3)));
+  const Rational little = power_of_two(static_cast<int>(d.integer(is_round ? -60 : -16, 3)));
   const auto move_beyond = [&](Vec3<Dyadic>& p, const Rational& by) {
     for (int k = 0; k < 3; ++k) {
       const Dyadic step = *Dyadic::from(plane.normal[static_cast<std::size_t>(k)] * by);
@@ -72,6 +85,14 @@ void check_changed_plane(Draw& d) {
     case Change::kNotNearer:
       patches[side].velocities = patches[1 - side].velocities;
       break;
+    case Change::kStart: {
+      const Rational after = d.coin() ? little : Rational(0);
+      for (MovingPatch<Dyadic>& patch : patches) {
+        patch.positions = patch.at(*Dyadic::from(plane.until + after));
+      }
+      plane.until = -after;
+      break;
+    }
   }
   Case changed = known;
   changed.truth = {};
@@ -82,7 +103,9 @@ void check_changed_plane(Draw& d) {
   }
   show(d, "change", static_cast<int>(change));
   show(d, "case", changed);
-  CLAIM(check_plane(changed.query, plane).has_value() == (change == Change::kNone));
+  const bool is_plane_still =
+      change == Change::kNone || (change == Change::kStart && plane.until == 0);
+  CLAIM(check_plane(changed.query, plane).has_value() == is_plane_still);
 }
 
 /// A contact box about a point that falls through a flat triangle. In each of the unknowns u, v and
@@ -131,8 +154,8 @@ std::vector<Property> certificates_claims() {
          claim_judged_by_meaning(d, supposed(draw_contact(d, {-2, 2})));
        }},
       {"checker.refuses_changed_planes",
-       "A moving plane is accepted, and refused once either patch, the plane or its time was "
-       "changed so that it proves nothing",
+       "A moving plane, also of round patches, is accepted, and refused once either patch, the "
+       "plane or its time was changed so that it proves nothing",
        "src/certify/checker/check_plane.hpp", check_changed_plane},
       {"checker.refuses_changed_boxes",
        "A contact box is accepted iff its centre is near enough to the contact, it lies in the "

@@ -43,12 +43,16 @@ void claim_same_way(const Query& of_ends, const Query& of_velocities) {
   }
 }
 
-/// Where all differences are doubles, ends are the same motion as velocities.
+/// Where all differences are doubles, ends are the same motion as velocities. No query is past
+/// them.
 void check_same_motion(Draw& d) {
   Contact q = supposed(contact_of(supposed(draw_contact(d, kOrdinaryRange))));
   suppose(give_ends(q, d));
   const Query plain = supposed(with_velocities(q.query));
+  Query past = q.query;
+  past.t_max = 1 + std::ldexp(1, -static_cast<int>(d.integer(0, 52)));
   show(d, "query", q.query);
+  CLAIM(!is_valid(past));
   claim_same_way(q.query, plain);
   if (const std::optional<Query> moved = parted(q.query, d)) {
     if (const auto velocities = with_velocities(*moved)) claim_same_way(*moved, *velocities);
@@ -73,26 +77,19 @@ void check_late_linear_proof(Draw& d) {
   CLAIM(!check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}));
 }
 
-/// No query is past the ends.
-void check_past_ends(Draw& d) {
-  Query past = draw_contact_with_ends(d, kOrdinaryRange).query;
-  past.t_max = 1 + std::ldexp(1, -static_cast<int>(d.integer(0, 52)));
-  show(d, "query", past);
-  CLAIM(!is_valid(past));
-}
-
 }  // namespace
 
 std::vector<Property> ends_claims() {
   constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 1";
   constexpr auto kRational = "src/ccd/rational/gap.cpp";
   std::vector<Property> claims = {
-      {"ends.same_motion", "Ends whose ways are doubles are answered as these velocities are",
+      {"ends.same_motion",
+       "Ends whose ways are doubles are answered as these velocities are; nothing is asked past "
+       "them",
        "src/method/taken_query.hpp", check_same_motion},
       {"ends.no_late_linear_proof",
        "No proof that linear patches with ends do not touch reaches their contact",
        "src/certify/checker/check_linear.hpp", check_late_linear_proof},
-      {"ends.refused", "All refuse a t_max past the ends", "src/case/query.hpp", check_past_ends},
   };
   add_claims_of(claims, {"ends",
                          "ends",

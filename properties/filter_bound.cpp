@@ -71,30 +71,6 @@ void check_filter(Draw& d) {
   CLAIM(per_norm * norm <= error);
 }
 
-/// The separation is that of the cells along the axis, or up to two floats off.
-void check_separated_exactly(Draw& d) {
-  GapSetting setting = draw_gap_setting(d, draw_extreme_query(d), 4);
-  const double t = d.coin() ? setting.query.t_max : 0;
-  const auto below = static_cast<int>(d.choose(1));
-  const Rational h = setting.gaps(exact(t))[static_cast<std::size_t>(below)];
-  suppose(h < 0);
-  Integer norm_squared;
-  for (const std::int64_t l : setting.axis.l) norm_squared += static_cast<long>(l * l);
-  double& separation = setting.query.separation;
-  separation = round_up(-h) / std::sqrt(norm_squared.get_d());
-  const std::int64_t floats = d.integer(-2, 2);
-  for (std::int64_t i = 0; i != floats; i += floats < 0 ? -1 : 1) {
-    separation = std::nextafter(separation, floats < 0 ? 0 : HUGE_VAL);
-  }
-  suppose(is_valid(setting.query));
-  show(d, "separation", separation);
-  exact_ccd::Gap gap;
-  setting.put(gap);
-  const double scaled = gap.scaled(t);
-  const Rational squared = exact(separation) * exact(separation);
-  CLAIM(gap.sign(below, scaled, gap.extremes(scaled)) == sgn(squared * norm_squared - h * h));
-}
-
 }  // namespace
 
 std::vector<Property> filter_bound_claims() {
@@ -103,9 +79,6 @@ std::vector<Property> filter_bound_claims() {
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
        "derived, also of patches with ends or weights",
        "src/ccd/rational/gap.cpp", check_filter},
-      {"tdibm-rational.separated_exactly",
-       "An axis keeps two cells further apart than the separation iff exact arithmetic says so",
-       "src/ccd/rational/exact_scene.hpp", check_separated_exactly},
   };
 }
 

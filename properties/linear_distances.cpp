@@ -93,9 +93,7 @@ Query draw_near_miss(Draw& d) {
 /// The corners at t as bodies at rest.
 Query at_rest(Query query, double t) {
   for (MovingPatch<double>& patch : query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] += t * patch.velocities[i];
-    }
+    patch.positions = patch.at(t);
     patch.velocities = {{0, 0, 0}};
     patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
   }

@@ -56,11 +56,7 @@ Vec3<double> full_vector(Draw& choices) {
 
 /// What is there at 0 is there at t.
 void begin_before(Query& query, double t) {
-  for (MovingPatch<double>& patch : query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] -= t * patch.velocities[i];
-    }
-  }
+  for (MovingPatch<double>& patch : query.patches) patch.positions = patch.at(-t);
 }
 
 /// A point and a triangle, or two edges, with numbers of full doubles, that graze each other. A

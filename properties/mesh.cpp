@@ -24,13 +24,9 @@ Case draw_mesh(Draw& d, CaseKind kind) {
   return draw_planted(d, kind, kFamilies[d.below(kind == CaseKind::kRP ? 3 : 2)]);
 }
 
-CaseKind draw_kind_of_mesh(Draw& d) {
-  return d.pick(std::array{CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN});
-}
-
 /// A mutant that is a mesh still, whose faces may have no area or be missed.
 Query draw_any_mesh(Draw& d) {
-  const Query first = draw_mesh(d, draw_kind_of_mesh(d)).query;
+  const Query first = draw_mesh(d, d.pick(kBodyCaseKinds)).query;
   Query query = draw_mutant(d, first, draw_mesh(d, CaseKind::kRP).query);
   suppose(has_mesh(query));
   return query;
@@ -43,7 +39,7 @@ void turn_all_round(Query& query) {
 
 /// The planted truth holds, survives a file, and is not asked of who does not take it.
 void check_mesh_truth(Draw& d) {
-  const CaseKind kind = draw_kind_of_mesh(d);
+  const CaseKind kind = d.pick(kBodyCaseKinds);
   const Case known = draw_mesh(d, kind);
   CLAIM(has_mesh(known.query));
   claim_planted_truth(known, kind, {.meshes = true, .one_sided = true});
@@ -58,14 +54,19 @@ void check_mesh_truth(Draw& d) {
   CLAIM(!is_taken_with(false, true));
 }
 
-/// First of all faces that are there, by the truth of each as a hull.
+/// First of all faces that are there, by the truth of each as a hull. All are, of two sides.
 void check_least_of_faces(Draw& d) {
-  const Query query = draw_any_mesh(d);
+  Query query = draw_any_mesh(d);
+  MovingPatch<double>& mesh = query.patches[mesh_side(query)];
+  if (d.coin()) mesh.one_sided = !mesh.one_sided;
+  if (d.coin()) turn_all_round(query);
   const Truth truth = decide(query).truth;
   show(d, "found", Case{query, truth, {}, {}});
   CLAIM(check_case({query, truth, {}, {}}).has_value());
+  const std::vector<size_t> there = faces_there(query);
+  CLAIM(mesh.one_sided || there.size() == mesh.faces.size());
   std::optional<Rational> first;
-  for (const size_t face : faces_there(query)) {
+  for (const size_t face : there) {
     const Truth part = decide(of_face(query, face)).truth;
     if (*part.collides && (!first || part.witness->t < *first)) first = part.witness->t;
   }
@@ -103,31 +104,6 @@ void check_who_is_there(Draw& d) {
   for (Rational& w : witness.weights[side]) w /= 2;
   witness.weights[side][point] = Rational(1, 2);
   CLAIM(!check_body_contact(query, witness));
-}
-
-/// The first contact of two sides is the first of that with the fronts and that with the backs.
-/// Faces along the motion have neither.
-void check_windings(Draw& d) {
-  Query query = draw_any_mesh(d);
-  MovingPatch<double>& mesh = query.patches[mesh_side(query)];
-  mesh.one_sided = true;
-  const Truth front = decide(query).truth;
-  const size_t count = faces_there(query).size();
-  turn_all_round(query);
-  const Truth back = decide(query).truth;
-  suppose(count + faces_there(query).size() == mesh.faces.size());
-  mesh.one_sided = false;
-  const Truth both = decide(query).truth;
-  CLAIM(*both.collides == (*front.collides || *back.collides));
-  turn_all_round(query);
-  const Truth again = decide(query).truth;
-  CLAIM(both.collides == again.collides);
-  if (!*both.collides) return;
-  CLAIM(both.witness->t == again.witness->t);
-  const Truth& first = !*front.collides                                         ? back
-                       : !*back.collides || front.witness->t <= back.witness->t ? front
-                                                                                : back;
-  CLAIM(both.witness->t == first.witness->t);
 }
 
 /// No directions of faces are a proof at their contact or past it, nor with one that is missing,
@@ -189,7 +165,7 @@ void check_graze(Draw& d) {
 
 /// It is no ordinary query if a face is touched at 0, there or not, or if there is no step.
 void check_setting_of_one_sided(Draw& d) {
-  Query query = draw_mesh(d, draw_kind_of_mesh(d)).query;
+  Query query = draw_mesh(d, d.pick(kBodyCaseKinds)).query;
   MovingPatch<double>& mesh = query.patches[mesh_side(query)];
   mesh.one_sided = true;
   if (d.coin()) turn_all_round(query);
@@ -233,9 +209,6 @@ std::vector<Property> mesh_claims() {
          const Query query = draw_any_mesh(d);
          claim_same_otherwise(d, query, decide(query).truth);
        }},
-      {"mesh.windings",
-       "The first contact of a mesh of two sides is the first of those of its fronts and its backs",
-       kMeshes, check_windings},
       {"mesh.graze_hides",
        "A body that grazes a mesh touches it first, without depth, also beside a vertex, and "
        "passes through it later",

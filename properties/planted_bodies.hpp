@@ -7,6 +7,9 @@
 
 namespace ccdfuzz {
 
+/// What bodies and meshes have, unless they turn.
+inline constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
+
 /// A planted case of bodies, which it shows: of a class that the family has of the kind.
 Case draw_planted(Draw& d, CaseKind kind, Family family = Family::kBodies, bool in_plane = false);
 

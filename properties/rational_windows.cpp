@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,19 +31,39 @@ double draw_window_end(Draw& d, const Query& query, const exact_ccd::Units& unit
   return std::ldexp(static_cast<double>(d.integer(0, static_cast<int>(steps))), units.grid);
 }
 
+/// As far apart as the cells are along the axis, whose gap is h < 0 there, or up to two floats off.
+double draw_separation(Draw& d, const Rational& h, const Integer& norm_squared) {
+  double separation = round_up(-h) / std::sqrt(norm_squared.get_d());
+  const std::int64_t floats = d.integer(-2, 2);
+  for (std::int64_t i = 0; i != floats; i += floats < 0 ? -1 : 1) {
+    separation = std::nextafter(separation, floats < 0 ? 0 : HUGE_VAL);
+  }
+  return separation;
+}
+
 void check_signs(Draw& d) {
   const bool deep = d.coin();
-  const GapSetting s =
-      draw_gap_setting(d, draw_hard_query(d, deep ? kMaxDegree : 3), deep ? 40 : 14);
+  GapSetting s = draw_gap_setting(d, draw_hard_query(d, deep ? kMaxDegree : 3), deep ? 40 : 14);
   Gap gap;
   s.put(gap);
-  const double t = draw_window_end(d, s.query, gap.units()), scaled = gap.scaled(t);
-  show(d, "t", t);
-  CLAIM(gap.unscaled(scaled) == t);
-  const exact_ccd::Extremes extremes = gap.extremes(scaled);
+  const double t = draw_window_end(d, s.query, gap.units());
   const std::array<Rational, 2> gaps = s.gaps(exact(t));
+  Integer norm_squared;
+  for (const std::int64_t l : s.axis.l) norm_squared += static_cast<long>(l * l);
+  if (const Rational& h = std::min(gaps[0], gaps[1]); h < 0 && d.choose(3) != 3) {
+    s.query.separation = draw_separation(d, h, norm_squared);
+    suppose(is_valid(s.query));
+    s.put(gap);
+  }
+  const double scaled = gap.scaled(t);
+  show(d, "t", t);
+  show(d, "separation", s.query.separation);
+  CLAIM(gap.unscaled(scaled) == t);
+  const Rational squared = exact(s.query.separation) * exact(s.query.separation);
+  const exact_ccd::Extremes extremes = gap.extremes(scaled);
   for (int below = 0; below < 2; ++below) {
-    CLAIM(gap.sign(below, scaled, extremes) == sgn(gaps[static_cast<std::size_t>(below)]));
+    const Rational& h = gaps[static_cast<std::size_t>(below)];
+    CLAIM(gap.sign(below, scaled, extremes) == (h > 0 ? 1 : sgn(squared * norm_squared - h * h)));
   }
 }
 
@@ -96,42 +117,35 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
 
 /// Laws R1, R2 and R3. An exact root stays.
 void check_cuts(Draw& d) {
+  const bool is_plain = d.coin();
+  Query query = is_plain ? supposed(draw_contact(d, {0, 0, 3})).query : draw_hard_query(d, 3);
+  if (is_plain) query.t_max = d.pick(std::array{1.0, 2.0, 0.1, 1 + 0x1p-30, 3.0});
   const auto [before, after, separated, all_separated, cut, step, least_gap] =
-      make_cut(d, draw_gap_setting(d, draw_hard_query(d, 3), 6));
+      make_cut(d, draw_gap_setting(d, query, 6));
   CLAIM((cut == Cut::kAll) == all_separated);
   if (all_separated) return;
   CLAIM(before.lo <= after.lo && after.lo <= separated.lo);
   CLAIM(separated.hi <= after.hi && after.hi <= before.hi);
   CLAIM(after.lo <= after.hi);
   CLAIM((cut == Cut::kNothing) == (before.lo == after.lo && before.hi == after.hi));
-}
-
-void check_cuts_are_close(Draw& d) {
-  Query query = supposed(draw_contact(d, {0, 0, 3})).query;
-  query.t_max = d.pick(std::array{1.0, 2.0, 0.1, 1 + 0x1p-30, 3.0});
-  const CutMade made = make_cut(d, draw_gap_setting(d, query, 5));
-  if (made.cut == Cut::kAll) return;
   // Newton's iteration in doubles stops at a gap of the error bound. As the gap is convex, that is
   // within this part of the window of the root: less than a step.
-  suppose(made.least_gap > 0x1p32);
-  CLAIM(made.separated.lo - made.after.lo <= 2 * made.step);
-  CLAIM(made.after.hi - made.separated.hi <= 2 * made.step);
+  if (!is_plain || least_gap <= 0x1p32) return;
+  CLAIM(separated.lo - after.lo <= 2 * step);
+  CLAIM(after.hi - separated.hi <= 2 * step);
 }
 
 }  // namespace
 
 std::vector<Property> rational_windows_claims() {
-  constexpr auto kWindow = "src/ccd/rational/window.hpp";
   return {
-      {"tdibm-rational.signs", "The sign of a gap at an end of a window is the exact one",
+      {"tdibm-rational.signs",
+       "The sign of a gap at an end of a window is the exact one, also at a separation",
        "src/ccd/rational/gap.hpp", check_signs},
       {"tdibm-rational.cuts",
-       "A window loses times at which an axis separates, from its ends, and all of them at once",
-       kWindow, check_cuts},
-      {"tdibm-rational.cuts_are_close",
-       "What is left of a window ends within two steps of where the axis separates no more, where "
-       "doubles tell the gaps at its ends well",
-       kWindow, check_cuts_are_close},
+       "A window loses times at which an axis separates, from its ends, and all of them at once; "
+       "all but two steps of them, where doubles tell the gaps at its ends well",
+       "src/ccd/rational/window.hpp", check_cuts},
       {"tdibm-rational.proves_no_contact_away", "No proof of absence covers the time of a contact",
        "src/ccd/rational/proves_clear.hpp",
        [](Draw& d) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "certify/checker/check_plane.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
@@ -30,24 +29,6 @@ void check_place(const Case& drawn) {
     CLAIM(box->varied[k] == static_cast<int>(k));
     CLAIM(abs(exact(box->centre[k]) - witness.uv[0][k]) <= exact(box->radius[k]));
   }
-}
-
-/// The plane of a first contact is accepted. Where it stays longer, or is on one side of it, the
-/// patches are not on theirs.
-void check_planes(Draw& d) {
-  const Case drawn = draw_round(d, false);
-  show(d, "query", drawn.query);
-  const MovingPlane plane = std::get<MovingPlane>(*drawn.truth.clearance);
-  const Rational little = power_of_two(-static_cast<long>(d.integer(0, 60)));
-  const auto is_accepted = [&](const MovingPlane& changed) {
-    return check_plane(drawn.query, changed).has_value();
-  };
-  CLAIM(is_accepted(plane));
-  MovingPlane later = plane, above = plane, below = plane;
-  later.until += little;
-  above.offset += little;
-  below.offset -= little;
-  CLAIM(!is_accepted(later) && !is_accepted(above) && !is_accepted(below));
 }
 
 void check_first_contact(Draw& d) {
@@ -87,8 +68,6 @@ std::vector<Property> round_claims() {
   return {
       {"weights.round", "Spheres, cylinders, cones and tori first touch when a closed formula says",
        "generators/round.hpp", check_first_contact},
-      {"weights.planes", "A plane proves the first contact of round patches, and nothing after it",
-       "src/certify/checker/nonnegative.hpp", check_planes},
   };
 }
 

@@ -21,13 +21,9 @@ Case draw_turning(Draw& d, CaseKind kind) {
   return draw_planted(d, kind, spins ? Family::kSpinning : Family::kTurning, in_plane);
 }
 
-CaseKind draw_kind_of_turning(Draw& d) {
-  return d.coin() ? CaseKind::kRP : CaseKind::kRN;
-}
-
 /// Nearest points in exact arithmetic are no contact at any time that is said to be clear.
 void check_clear_time(Draw& d) {
-  const Case known = draw_turning(d, draw_kind_of_turning(d));
+  const Case known = draw_turning(d, d.coin() ? CaseKind::kRP : CaseKind::kRN);
   constexpr int kSteps = 64;
   const long step = d.integer(0, kSteps);
   // Few bits, lest exact nearest points take seconds.
@@ -64,8 +60,7 @@ void check_oracle_finds_turning(Draw& d) {
 
 /// A turn that goes nowhere is none.
 void check_no_turn(Draw& d) {
-  const CaseKind kind = d.pick(std::array{CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN});
-  Query query = draw_planted(d, kind).query;
+  Query query = draw_planted(d, d.pick(kBodyCaseKinds)).query;
   query.t_max = std::min(query.t_max, 1.0);
   const Truth plain = decide(query).truth;
   MovingPatch<double>& body = query.patches[d.below(2)];
@@ -118,7 +113,7 @@ std::vector<Property> turning_claims() {
        "of other lengths, or, where they spin, other axes",
        kDeciding,
        [](Draw& d) {
-         const Case known = draw_turning(d, draw_kind_of_turning(d));
+         const Case known = draw_turning(d, d.coin() ? CaseKind::kRP : CaseKind::kRN);
          claim_same_otherwise(d, known.query, known.truth);
        }},
       {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",

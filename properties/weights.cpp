@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "case/scale.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -13,6 +14,7 @@
 #include "method/method.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
+#include "properties/draw_trimmed.hpp"
 #include "properties/draw_weighted.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/query_kind.hpp"
@@ -21,10 +23,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-Case draw_weighted_case(Draw& d) {
-  return case_of(draw_weighted_contact(d));
-}
 
 /// Equal weights are none, to each method.
 void check_equal_weights(Draw& d) {
@@ -78,7 +76,8 @@ void check_scaled_weights(Draw& d) {
              make_method("tdibm@unoptimised").value()->answer(query, kQuickSearch));
 }
 
-/// Points, edges and triangles are the same sets with weights as without.
+/// Points, edges and triangles are the same sets with weights as without. Parameters are those with
+/// weights: they name about the same place.
 void check_linear(Draw& d) {
   const Query plain = supposed(draw_linear(d));
   suppose(most_places(plain) <= 254);  // what wider ones leave open, boxes decide
@@ -92,39 +91,15 @@ void check_linear(Draw& d) {
   for (std::size_t s = 0; s < 2; ++s) CLAIM(weighted.patches[s].shape.contains(with.uv[s]));
   const Decision decision = decide(weighted);
   CLAIM(decision.truth.collides == decide(plain).truth.collides);
-  if (!decision.truth.witness || with.verdict != Verdict::kHit) return;
-  // Both name about the same point, where there is but one.
-  const Witness& witness = *decision.truth.witness;
-  CLAIM(check_contact(weighted, witness).has_value());
-}
-
-/// A point of a patch is where tdibm-c says: that of its own uv, not of a patch without weights.
-void check_linear_place(Draw& d) {
-  Query query;
-  auto& [edge, other] = query.patches;
-  edge = {Shape::curve(1), {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
-  if (d.coin()) {
-    edge = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}};
-    edge.velocities.assign(3, Vec3<double>(0, 0, 0));
+  if (with.verdict != Verdict::kHit) return;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>&a = weighted.patches[s], &b = plain.patches[s];
+    const Vec3<Rational> off =
+        point_of(a, exact_place(with.uv[s]), 0) - point_of(b, exact_place(without.uv[s]), 0);
+    const Rational most = exact(largest_coordinate(b.positions)) * power_of_two(-10);
+    for (int k = 0; k < 3; ++k) CLAIM(abs(off[k]) <= most);
   }
-  edge.weights = draw_patch_weights(d, edge.positions.size());
-  const auto sixteenths = [&] { return static_cast<double>(d.integer(0, 8)) / 16; };
-  const double x = sixteenths();
-  const double y = edge.positions.size() == 3 ? sixteenths() : 0;
-  if (edge.positions.size() == 2) {
-    other = {Shape::curve(1), {{x, -1, 1}, {x, 1, 1}}, {{0, 0, -1}, {0, 0, -1}}};
-  } else {
-    other = {Shape::point(), {{x, y, 1}}, {{0, 0, -1}}};
-  }
-  for (const std::string method : {"tdibm-c", "oracle"}) {
-    const Answer answer = asked(d, method, query, kQuickSearch);
-    CLAIM(answer.verdict == Verdict::kHit);
-    const auto& [u, v] = answer.uv[0];
-    const Vec3<Rational> at = point_of(edge, {exact(u), exact(v)}, 0);
-    const double off = std::hypot(at[0].get_d() - x, at[1].get_d() - y);
-    show(d, "off", off);
-    CLAIM(off < 0x1p-10);
-  }
+  CLAIM(!decision.truth.witness || check_contact(weighted, *decision.truth.witness));
 }
 
 /// A tree that separates up to a time is refused after the first contact. A plane through the
@@ -163,10 +138,8 @@ std::vector<Property> weights_claims() {
        check_equal_weights},
       {"weights.scale_alike", "Weights times a power of two change no bit of an answer", kPatch,
        check_scaled_weights},
-      {"weights.linear", "Weights change no verdict or time of linear patches",
+      {"weights.linear", "Weights change no verdict, time or place of linear patches",
        "src/ccd/certified/DERIVATION.md, 6", check_linear},
-      {"weights.linear_place", "Parameters of contacts of linear patches are those with weights",
-       "src/ccd/certified/DERIVATION.md, 6", check_linear_place},
       {"weights.clearances", "Planes and trees of rational patches prove what is before a contact",
        kChecker, check_clearances},
   };
@@ -176,7 +149,7 @@ std::vector<Property> weights_claims() {
                          {kCertified, kRational},
                          &Features::weights,
                          {Family::kWeighted, Family::kRound},
-                         draw_weighted_case});
+                         [](Draw& d) { return case_of(draw_weighted_contact(d)); }});
   return claims;
 }
 
