@@ -116,18 +116,8 @@ LocalPatch around_corner(const Barycentric& x, Draw& draw) {
 }  // namespace
 
 LocalPatch choose_local_patch(const Barycentric& x, Draw& draw) {
-  LocalPatch part;
-  switch (feature_at(x)) {
-    case Feature::kFace:
-      part = around_interior_point(x, draw);
-      break;
-    case Feature::kEdge:
-      part = around_edge_point(x, draw);
-      break;
-    case Feature::kCorner:
-      part = around_corner(x, draw);
-      break;
-  }
+  constexpr std::array kAround = {around_interior_point, around_edge_point, around_corner};
+  LocalPatch part = kAround[static_cast<size_t>(feature_at(x))](x, draw);
   // Which corner of the part is u, v and w is drawn last, so that contacts lie on all three edges
   // and at all three corners.
   for (size_t a = 2; a > 0; --a) {

@@ -24,22 +24,13 @@ ContactClass class_between(Feature a, Feature b) {
 
 Barycentric prescribe_in_parent(Feature feature, Draw& draw) {
   const Dyadic zero, quarter(1, -2), half(1, -1), one(1);
-  const size_t odd_one = draw.below(3);
+  // Of a face, an edge and a corner: two of the three, and the other one.
+  const std::array<std::array<Dyadic, 2>, 3> shares = {
+      {{quarter, half}, {half, zero}, {zero, one}}};
+  const auto& [both, other] = shares[static_cast<size_t>(feature)];
   Barycentric x;
-  switch (feature) {
-    case Feature::kFace:
-      x.fill(quarter);
-      x[odd_one] = half;
-      break;
-    case Feature::kEdge:
-      x.fill(half);
-      x[odd_one] = zero;
-      break;
-    case Feature::kCorner:
-      x.fill(zero);
-      x[odd_one] = one;
-      break;
-  }
+  x.fill(both);
+  x[draw.below(3)] = other;
   return x;
 }
 

@@ -90,17 +90,8 @@ TwoPoints two_inner_points(const Shape& shape, Draw& draw) {
   return two;
 }
 
-TwoPoints two_points(Feature feature, const Shape& shape, Draw& draw) {
-  switch (feature) {
-    case Feature::kFace:
-      return two_inner_points(shape, draw);
-    case Feature::kEdge:
-      return on_two_edges(shape, draw);
-    case Feature::kCorner:
-      return two_corners(shape, draw);
-  }
-  return {};
-}
+/// Of a face, an edge and a corner.
+constexpr std::array kTwoPoints = {two_inner_points, on_two_edges, two_corners};
 
 /// A straight patch below the plane, in it at all of the feature, with its points y[0] and y[1] at
 /// p[0] and p[1]. y differ in u alone, by a power of two, and p by a multiple of odd_denominator.
@@ -246,7 +237,7 @@ bool families::have_two_points(ContactClass contact, const ShapePair& shapes) {
 
 PlacedScene families::several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
-  const TwoPoints upper = two_points(features[0], shapes[0], draw);
+  const TwoPoints upper = kTwoPoints[static_cast<size_t>(features[0])](shapes[0], draw);
   ContactScene scene;
   ContactSide& side = scene.sides[0];
   side = {shapes[0], upper.at[0], flat_net(shapes[0], false, draw), {}};
