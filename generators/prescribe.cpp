@@ -24,7 +24,7 @@ ContactClass class_between(Feature a, Feature b) {
 
 Barycentric prescribe_in_parent(Feature feature, Draw& draw) {
   const Dyadic zero, quarter(1, -2), half(1, -1), one(1);
-  // Of a face, an edge and a corner: two of the three, and the other one.
+  // A row for a face, an edge and a corner: two of the three, and the other one.
   const std::array<std::array<Dyadic, 2>, 3> shares = {
       {{quarter, half}, {half, zero}, {zero, one}}};
   const auto& [both, other] = shares[static_cast<size_t>(feature)];

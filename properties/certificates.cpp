@@ -22,7 +22,7 @@ namespace {
 /// A plane, or a patch that it separates, with one thing changed. The plane is turned round, or
 /// later, or on the wrong side of a patch by less than any move. A patch or one of its corners is
 /// beyond the plane, or the patches do not come nearer. Or the motion begins at the contact, where
-/// the plane proves nothing yet, or after it. Of round patches the plane alone is changed.
+/// the plane proves nothing yet, or after it. Round patches stay as they are.
 void check_changed_plane(Draw& d) {
   const ContactClass contact = d.pick(kContactClasses);
   const bool is_round = d.choose(3) == 3;

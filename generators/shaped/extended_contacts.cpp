@@ -90,7 +90,7 @@ TwoPoints two_inner_points(const Shape& shape, Draw& draw) {
   return two;
 }
 
-/// Of a face, an edge and a corner.
+/// They lie on a face, an edge and a corner.
 constexpr std::array kTwoPoints = {two_inner_points, on_two_edges, two_corners};
 
 /// A straight patch below the plane, in it at all of the feature, with its points y[0] and y[1] at
