@@ -191,6 +191,7 @@ const std::vector<Family>& families() {
   constexpr const char* kErrorBounds =
       "Floating-Point Robustness in Parametric Surface CCD, Section 4.6";
   constexpr const char* kSnyder = "Snyder 1992; Von Herzen et al. 1990";
+  const std::vector<std::string> none, axes = {"unit-axes"};
   const std::vector<std::string> released = {"unoptimised", "unit-axes", "exact-windows", "slip"};
   std::vector<std::string> pulled = released;
   pulled.emplace_back("absolute");
@@ -201,15 +202,12 @@ const std::vector<Family>& families() {
   constexpr Features kBounded = {.trims = true};
   static const std::vector<Family> all = {
       traditional_family(
-          {"trad",
-           kSnyder,
-           "inclusion in time and parameters, oriented boxes, as Chen et al. have it",
-           false,
-           {"unit-axes"},
+          {"trad", kSnyder,
+           "inclusion in time and parameters, oriented boxes, as Chen et al. have it", false, axes,
            kDivided},
           BoxKind::kOriented),
       traditional_family(
-          {"trad:aabb", kSnyder, "the same with axis-aligned boxes", false, {}, kDivided},
+          {"trad:aabb", kSnyder, "the same with axis-aligned boxes", false, none, kDivided},
           BoxKind::kAxisAligned),
       tdibm_family<Plain>(
           {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false,
@@ -228,27 +226,17 @@ const std::vector<Family>& families() {
            true, bounded, kBounded},
           error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
-          {"tdibm-rational",
-           "this project",
-           "tdibm decided in exact arithmetic, rounded only outward",
-           true,
-           {},
-           kPatchFeatures},
+          {"tdibm-rational", "this project",
+           "tdibm decided in exact arithmetic, rounded only outward", true, none, kPatchFeatures},
           no_parts),
-      family<TdibmC, CertifiedTracer>({"tdibm-c",
-                                       "src/ccd/certified/DERIVATION.md",
-                                       "ours: separation certified at both ends of a window",
-                                       true,
-                                       {},
-                                       kPatchFeatures},
-                                      no_parts),
+      family<TdibmC, CertifiedTracer>(
+          {"tdibm-c", "src/ccd/certified/DERIVATION.md",
+           "ours: separation certified at both ends of a window", true, none, kPatchFeatures},
+          no_parts),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
-          {"oracle",
-           "src/certify/oracle/oracle.hpp",
-           "ours: says nothing that an independent checker has not proven; slower",
-           true,
-           {},
+          {"oracle", "src/certify/oracle/oracle.hpp",
+           "ours: says nothing that an independent checker has not proven; slower", true, none,
            kAllFeatures},
           no_parts),
   };
