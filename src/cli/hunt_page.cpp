@@ -68,7 +68,9 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
     if (allowed && methods.find(method) == nullptr) {
       return input_error(entry.id + ": expect", make_method(method).error().what);
     }
-    ReportedAnswer answer{method, outcome, std::nullopt};
+    GivenAnswer answer;
+    answer.method = method;
+    answer.outcome = outcome;
     if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
       const Judged judged = ask(methods[method], known, search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;

@@ -40,7 +40,7 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
       CaseStream(need(corpus_files(options.source))),
       [&](const NamedCase& entry) { return need(reported_entry(entry, methods.local())); },
       [&](const NamedCase&, ReportedCase reported) {
-        for (const ReportedAnswer& answer : reported.answers) {
+        for (const GivenAnswer& answer : reported.answers) {
           if (!is_admitted(answer.method)) ++left_out[answer.method];
         }
         report.cases.push_back(std::move(reported));

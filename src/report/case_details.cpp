@@ -138,7 +138,7 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
   for (const Failure& failure : failures_of(known)) {
     if (!failure.cause.empty()) causes[failure.who] = failure.cause;
   }
-  for (const ReportedAnswer& answer : reported.answers) {
+  for (const GivenAnswer& answer : reported.answers) {
     const auto at = std::ranges::find(methods, answer.method);
     if (at == methods.end()) continue;
     outcomes[static_cast<size_t>(at - methods.begin())] = letter_of(answer.outcome);

@@ -35,7 +35,7 @@ std::vector<std::string> methods_of(const ReportPage& report) {
   };
   for (const Row& row : report.rows) add(row.key.method);
   for (const ReportedCase& reported : report.cases) {
-    for (const ReportedAnswer& answer : reported.answers) add(answer.method);
+    for (const GivenAnswer& answer : reported.answers) add(answer.method);
   }
   return methods;
 }

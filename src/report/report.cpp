@@ -14,7 +14,7 @@ namespace {
 /// Class, kind and how each method did: what cases of one sort have in common.
 std::string sort_of(const ReportedCase& reported) {
   std::string key = reported.value.origin.contact + " " + reported.value.origin.kind;
-  for (const ReportedAnswer& answer : reported.answers) {
+  for (const GivenAnswer& answer : reported.answers) {
     key += fmt::format(" {}={}", answer.method, name_of(answer.outcome));
   }
   return key;

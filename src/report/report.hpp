@@ -20,24 +20,17 @@ struct ReportTable {
   Table table;
 };
 
-/// How one method did on a case.
-struct ReportedAnswer {
-  std::string method;
-  Outcome outcome = Outcome::kUnknown;
-  std::optional<double> toi;
-};
-
 /// A case that the page shows in its viewer.
 struct ReportedCase {
   std::string id;  ///< where it is
   Case value;
-  std::vector<ReportedAnswer> answers;
-  double precision = 1e-4;     ///< that it was asked at
-  std::optional<bool> is_new;  ///< for a hunt: found now, or known before
-  std::string reproduce;       ///< the command that shows it again; may be empty
+  std::vector<GivenAnswer> answers;  ///< of each its method, outcome and toi
+  double precision = 1e-4;           ///< that it was asked at
+  std::optional<bool> is_new;        ///< for a hunt: found now, or known before
+  std::string reproduce;             ///< the command that shows it again; may be empty
 
   bool has_failure() const {
-    return std::ranges::any_of(answers, is_failure, &ReportedAnswer::outcome);
+    return std::ranges::any_of(answers, is_failure, &GivenAnswer::outcome);
   }
 };
 

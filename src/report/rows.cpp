@@ -29,7 +29,7 @@ void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double p
       open->id = evaluated.id;
       open->precision = precision;
     }
-    open->answers.push_back({given.method, given.outcome, given.toi});
+    open->answers.push_back(given);
     if (&given != &evaluated.answers.back() && (&given)[1].factor == given.factor) continue;
     keep(*std::exchange(open, std::nullopt), known, given.factor);
   }
@@ -39,8 +39,8 @@ void ReportRows::add_curvatures(const Case& known) {
   const std::optional<Witness>& witness = known.truth.witness;
   if (known.truth.collides != true || !witness) return;
   for (size_t s = 0; s < 2; ++s) {
-    const auto one = curvature_at(known.query.patches[s], witness->uv[s], witness->t);
-    if (one) curvatures_.add(one->rms());
+    const auto one = rms_curvature(known.query.patches[s], witness->uv[s], witness->t);
+    if (one) curvatures_.add(*one);
   }
 }
 

@@ -28,11 +28,19 @@ Case meeting(const std::string& contact) {
   return value;
 }
 
+GivenAnswer answered(const std::string& method, Outcome outcome, std::optional<double> toi = {}) {
+  GivenAnswer given;
+  given.method = method;
+  given.outcome = outcome;
+  given.toi = toi;
+  return given;
+}
+
 ReportedCase reported(const std::string& contact, Outcome outcome) {
   ReportedCase one;
   one.id = "some.json";
   one.value = meeting(contact);
-  one.answers = {{"tdibm", outcome, std::nullopt}};
+  one.answers = {answered("tdibm", outcome)};
   return one;
 }
 
@@ -101,8 +109,8 @@ echo '{"protocol":1,"name":"mine","version":"1.0","conservative":true}'
   ReportPage report;
   const std::string known = "plugin:known", gone = "plugin:lost.so";
   report.cases = {reported("VV", Outcome::kMissed)};
-  report.cases[0].answers.push_back({known, Outcome::kCorrect, 0.5});
-  report.cases[0].answers.push_back({gone, Outcome::kMissed, std::nullopt});
+  report.cases[0].answers.push_back(answered(known, Outcome::kCorrect, 0.5));
+  report.cases[0].answers.push_back(answered(gone, Outcome::kMissed));
   const Json data = data_of(report_page(report, 1));
   EXPECT_EQ(data["methods"][0]["spec"], "tdibm");
   EXPECT_EQ(data["methods"][1],
@@ -114,8 +122,8 @@ echo '{"protocol":1,"name":"mine","version":"1.0","conservative":true}'
 TEST(ReportPage, ACaseHasItsSettingItsBitsAndTheCausesOfItsFailures) {
   ReportPage report;
   report.cases = {reported("VV", Outcome::kMissed)};
-  report.cases[0].answers.push_back({"plugin:./gone.so", Outcome::kError, std::nullopt});
-  report.cases[0].answers.push_back({"tdibm-c", Outcome::kCorrect, 0.5});
+  report.cases[0].answers.push_back(answered("plugin:./gone.so", Outcome::kError));
+  report.cases[0].answers.push_back(answered("tdibm-c", Outcome::kCorrect, 0.5));
   report.cases[0].value.expect = {{"tdibm", {Outcome::kMissed, "left root"}},
                                   {"plugin:./gone.so", {Outcome::kError, "hang"}},
                                   {"tdibm-c", {Outcome::kCorrect}}};
@@ -193,10 +201,8 @@ TEST(ReportRows, AreSummedUpAndFailuresAreKept) {
     EvaluatedCase one{0, id, "VV", "", true, {}};
     for (const auto& [method, outcome] :
          {std::pair("tdibm", of_tdibm), std::pair("tdibm-c", Outcome::kCorrect)}) {
-      GivenAnswer& given = one.answers.emplace_back();
-      given.method = method;
-      given.outcome = outcome;
-      given.cost.seconds = .5;
+      one.answers.push_back(answered(method, outcome));
+      one.answers.back().cost.seconds = .5;
     }
     rows.add(one);
     shown.add(one, meeting("VV"), 1e-4);
