@@ -20,7 +20,8 @@ set(ccdfuzz_public_headers
   numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/fraction.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/enum_names.hpp base/result.hpp base/verify.hpp
   case/answer.hpp case/body_kind.hpp case/case.hpp case/certificate.hpp
   case/checked_case.hpp case/judge.hpp case/outcome.hpp case/query.hpp case/taxonomy.hpp
-  files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp files/tree_file.hpp io/output_file.hpp)
+  files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp files/tree_file.hpp
+  io/descriptor.hpp io/input_bytes.hpp io/line_reader.hpp io/output_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})

@@ -12,7 +12,7 @@
 #include "generators/draw/choice_bytes.hpp"
 #include "io/folder_lock.hpp"
 #include "io/hash_name.hpp"
-#include "io/input_bytes.hpp"
+#include "io/line_reader.hpp"
 #include "io/json_write.hpp"
 #include "io/output_file.hpp"
 

@@ -101,9 +101,7 @@ ReportPage report_source(const ReportArguments& options, Session& session) {
 /// The text of a PREFIX.json of ccdfuzz-scoreboard. Errors: naming the file and the field.
 Result<std::string> read_scoreboard(const std::string& path) {
   constexpr size_t kLongest = 16 << 20;  // a run of 200 faults has 0.2 MB
-  CCDFUZZ_TRY(auto file, LineReader::open(path, false, kLongest));
-  CCDFUZZ_TRY(const auto text, file.next(true));
-  std::string json(text.value_or(""));
+  CCDFUZZ_TRY(std::string json, read_text(path, kLongest));
   return read_json_text(json, path,
                         [](const JsonCursor& top) {
                           JsonReader(top).format("ccdfuzz-scoreboard", 1, 1);

@@ -16,7 +16,7 @@
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "hunt/served_claim.hpp"
-#include "io/input_bytes.hpp"
+#include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "properties/claim_input.hpp"

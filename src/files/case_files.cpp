@@ -9,9 +9,7 @@
 
 #include "base/verify.hpp"
 #include "files/case_json.hpp"
-#include "io/input_bytes.hpp"
 #include "io/line_reader.hpp"
-#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 
@@ -198,82 +196,61 @@ Result<std::vector<NamedCase>> read_cases(const std::string& path) {
   }
 }
 
-struct CaseWriter::State {
-  struct FreeContext {
-    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-  };
-
-  std::string path;
-  CaseFileKind kind;
-  OutputFile file;
-  size_t piece;  ///< so much is handed on at once: who reads a stream gets each case as it comes
-  std::string pending = {};
-  size_t written = 0;
-  std::unique_ptr<ZSTD_CCtx, FreeContext> zstd = {};
-  bool is_complete = false;
-
-  /// Hands the pending text on, compressed where that is asked for.
-  Result<void> flush(bool last) {
-    if (!zstd) {
-      auto done = file.write(pending);
-      pending.clear();
-      return done;
-    }
-    std::string out(ZSTD_CStreamOutSize(), '\0');
-    ZSTD_inBuffer in = {pending.data(), pending.size(), 0};
-    for (bool done = false; !done;) {
-      ZSTD_outBuffer packed = {out.data(), out.size(), 0};
-      const size_t left =
-          ZSTD_compressStream2(zstd.get(), &packed, &in, last ? ZSTD_e_end : ZSTD_e_continue);
-      CCDFUZZ_VERIFY(ZSTD_isError(left) == 0);
-      CCDFUZZ_TRY_VOID(file.write(std::string_view(out).substr(0, packed.pos)));
-      done = last ? left == 0 : in.pos == in.size;
-    }
-    pending.clear();
-    return {};
-  }
-};
-
-CaseWriter::CaseWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
-CaseWriter::CaseWriter(CaseWriter&&) noexcept = default;
-CaseWriter& CaseWriter::operator=(CaseWriter&&) noexcept = default;
-CaseWriter::~CaseWriter() = default;
+void CaseWriter::FreeContext::operator()(ZSTD_CCtx_s* context) const {
+  ZSTD_freeCCtx(context);
+}
 
 Result<CaseWriter> CaseWriter::open(const std::string& path) {
   CCDFUZZ_TRY(const auto kind, case_file_kind(path));
   CCDFUZZ_TRY(auto file, OutputFile::create(path));
-  auto state =
-      std::make_unique<State>(State{path, kind, std::move(file), is_stream(path) ? 0 : kPiece});
+  CaseWriter writer(std::move(file));
+  writer.path_ = path;
+  writer.kind_ = kind;
+  writer.piece_ = is_stream(path) ? 0 : kPiece;
   if (kind == CaseFileKind::kJsonLinesZstd) {
-    state->zstd.reset(ZSTD_createCCtx());
-    CCDFUZZ_VERIFY(state->zstd != nullptr);
-    ZSTD_CCtx_setParameter(state->zstd.get(), ZSTD_c_checksumFlag, 1);
+    writer.zstd_.reset(ZSTD_createCCtx());
+    CCDFUZZ_VERIFY(writer.zstd_ != nullptr);
+    ZSTD_CCtx_setParameter(writer.zstd_.get(), ZSTD_c_checksumFlag, 1);
   }
-  return CaseWriter(std::move(state));
+  return writer;
+}
+
+/// Hands the pending text on, compressed where that is asked for.
+Result<void> CaseWriter::flush(bool last) {
+  const std::string text = std::exchange(pending_, {});
+  if (!zstd_) return file_.write(text);
+  std::string out(ZSTD_CStreamOutSize(), '\0');
+  ZSTD_inBuffer in = {text.data(), text.size(), 0};
+  for (bool done = false; !done;) {
+    ZSTD_outBuffer packed = {out.data(), out.size(), 0};
+    const size_t left =
+        ZSTD_compressStream2(zstd_.get(), &packed, &in, last ? ZSTD_e_end : ZSTD_e_continue);
+    CCDFUZZ_VERIFY(ZSTD_isError(left) == 0);
+    CCDFUZZ_TRY_VOID(file_.write(std::string_view(out).substr(0, packed.pos)));
+    done = last ? left == 0 : in.pos == in.size;
+  }
+  return {};
 }
 
 Result<void> CaseWriter::write(const Case& value) {
-  State& s = *state_;
-  if (s.kind == CaseFileKind::kJson && s.written == 1) {
-    return input_error(s.path, "a .json file holds one case; .jsonl holds many");
+  const bool is_one = kind_ == CaseFileKind::kJson;
+  if (is_one && written_ == 1) {
+    return input_error(path_, "a .json file holds one case; .jsonl holds many");
   }
-  ++s.written;
-  s.pending +=
-      to_json(value, s.kind == CaseFileKind::kJson ? JsonLayout::kReadable : JsonLayout::kOneLine);
-  s.pending += '\n';
-  return s.pending.size() < s.piece ? Result<void>() : s.flush(false);
+  ++written_;
+  pending_ += to_json(value, is_one ? JsonLayout::kReadable : JsonLayout::kOneLine) + '\n';
+  return pending_.size() < piece_ ? Result<void>() : flush(false);
 }
 
 Result<void> CaseWriter::complete() {
-  State& s = *state_;
-  if (s.kind == CaseFileKind::kJson && s.written == 0) {
-    return input_error(s.path, "no case to write");
+  if (kind_ == CaseFileKind::kJson && written_ == 0) {
+    return input_error(path_, "no case to write");
   }
-  return std::exchange(s.is_complete, true) ? Result<void>() : s.flush(true);
+  return std::exchange(is_complete_, true) ? Result<void>() : flush(true);
 }
 
 Result<void> CaseWriter::finish() {
-  return complete().and_then([this] { return state_->file.commit(); });
+  return complete().and_then([this] { return file_.commit(); });
 }
 
 }  // namespace ccdfuzz

@@ -8,6 +8,10 @@
 
 #include "case/case.hpp"
 #include "files/query_csv.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
+
+struct ZSTD_CCtx_s;
 
 namespace ccdfuzz {
 
@@ -95,9 +99,6 @@ Result<std::vector<NamedCase>> read_cases(const std::string& path);
 class CaseWriter {
  public:
   static Result<CaseWriter> open(const std::string& path);
-  CaseWriter(CaseWriter&&) noexcept;
-  CaseWriter& operator=(CaseWriter&&) noexcept;
-  ~CaseWriter();
 
   Result<void> write(const Case& value);
   /// Writes all but the name, so that files beside it may appear first. Nothing is written after.
@@ -106,9 +107,22 @@ class CaseWriter {
   Result<void> finish();
 
  private:
-  struct State;
-  explicit CaseWriter(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  struct FreeContext {
+    void operator()(ZSTD_CCtx_s* context) const;
+  };
+
+  explicit CaseWriter(OutputFile file) : file_(std::move(file)) {}
+  Result<void> flush(bool last);
+
+  std::string path_;
+  CaseFileKind kind_ = CaseFileKind::kJson;
+  OutputFile file_;
+  size_t piece_ =
+      0;  ///< so much is handed on at once: who reads a stream gets each case as it comes
+  std::string pending_;
+  size_t written_ = 0;
+  std::unique_ptr<ZSTD_CCtx_s, FreeContext> zstd_;  ///< null: it is not compressed
+  bool is_complete_ = false;
 };
 
 }  // namespace ccdfuzz

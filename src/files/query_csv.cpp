@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "io/json_tree.hpp"
-#include "io/line_reader.hpp"
 
 namespace ccdfuzz {
 
@@ -68,10 +67,41 @@ Result<Integer> parse_integer(std::string_view text) {
   return Integer(std::string(text), 10);  // without the base, a leading 0 is octal
 }
 
+/// The point of a row, which is `here`.
+Result<Vec3<Rational>> point_of(const std::vector<std::string_view>& fields,
+                                const std::string& here) {
+  Vec3<Rational> point;
+  for (size_t k = 0; k < 3; ++k) {
+    std::array<Integer, 2> parts;
+    for (size_t i = 0; i < 2; ++i) {
+      const size_t column = 2 * k + i;
+      const auto refuse = [&](const std::string& why) {
+        return input_error(here,
+                           fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
+      };
+      auto number = parse_integer(fields[column]);
+      if (!number) return refuse(number.error().what);
+      if (i == 1 && *number <= 0) return refuse(shown_text(fields[column]) + " is not > 0");
+      parts[i] = *std::move(number);
+    }
+    point[static_cast<int>(k)] = Rational(parts[0], parts[1]);
+    point[static_cast<int>(k)].canonicalize();
+  }
+  return point;
+}
+
+/// Its truth if there is a column for it.
+Result<std::optional<bool>> label_of(const std::vector<std::string_view>& fields,
+                                     const std::string& here) {
+  if (fields.size() < kColumns.size()) return std::nullopt;
+  if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
+  return input_error(
+      here, fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
+}
+
 Result<std::vector<bool>> read_truths(const std::string& path) {
-  CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestTruthList));
-  CCDFUZZ_TRY(const auto text, lines.next(true));
-  CCDFUZZ_TRY(const auto tree, parse_json(text.value_or(""), path));
+  CCDFUZZ_TRY(const auto text, read_text(path, kLongestTruthList));
+  CCDFUZZ_TRY(const auto tree, parse_json(text, path));
   if (tree.kind != JsonKind::kArray) return input_error(path, "is not a JSON list of truths");
   std::vector<bool> truths;
   for (size_t i = 0; i < tree.items.size(); ++i) {
@@ -133,124 +163,85 @@ std::array<MovingPatch<Rational>, 2> CsvQuery::patches() const {
   return out;
 }
 
-struct CsvReader::State {
-  LineReader lines;
-  CsvLayout layout = CsvLayout::kEdgeEdge;
-  std::optional<std::vector<bool>> truths;
-  std::string truths_path;
-  size_t given = 0;  ///< queries
+std::string CsvReader::here() const {
+  return fmt::format("{}:{}", lines_.path(), lines_.line());
+}
 
-  std::string here() const { return fmt::format("{}:{}", lines.path(), lines.line()); }
-
-  /// One row: a point, and its truth if there is a column for it.
-  Result<Vec3<Rational>> point_of(const std::vector<std::string_view>& fields) const {
-    Vec3<Rational> point;
-    for (size_t k = 0; k < 3; ++k) {
-      std::array<Integer, 2> parts;
-      for (size_t i = 0; i < 2; ++i) {
-        const size_t column = 2 * k + i;
-        const auto refuse = [&](const std::string& why) {
-          return input_error(here(),
-                             fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
-        };
-        auto number = parse_integer(fields[column]);
-        if (!number) return refuse(number.error().what);
-        if (i == 1 && *number <= 0) return refuse(shown_text(fields[column]) + " is not > 0");
-        parts[i] = *std::move(number);
-      }
-      point[static_cast<int>(k)] = Rational(parts[0], parts[1]);
-      point[static_cast<int>(k)].canonicalize();
-    }
-    return point;
-  }
-
-  Result<std::optional<bool>> label_of(const std::vector<std::string_view>& fields) const {
-    if (fields.size() < kColumns.size()) return std::nullopt;
-    if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
+/// The fields of the next row; none at the end.
+Result<std::vector<std::string_view>> CsvReader::next_row() {
+  for (;;) {
+    CCDFUZZ_TRY(const auto text, lines_.next());
+    if (!text) return std::vector<std::string_view>();
+    std::string_view row = *text;
+    // Spreadsheets begin files with a byte order mark.
+    if (lines_.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
+    row = trimmed(row);
+    if (row.empty() || row.front() == '#') continue;
+    std::vector<std::string_view> fields = fields_of(row);
+    if (fields.size() == 6 || fields.size() == 7) return fields;
     return input_error(
-        here(), fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
+        here(), fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
   }
+}
 
-  /// The fields of the next row; none at the end.
-  Result<std::vector<std::string_view>> next_row() {
-    for (;;) {
-      CCDFUZZ_TRY(const auto text, lines.next());
-      if (!text) return std::vector<std::string_view>();
-      std::string_view row = *text;
-      // Spreadsheets begin files with a byte order mark.
-      if (lines.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
-      row = trimmed(row);
-      if (row.empty() || row.front() == '#') continue;
-      std::vector<std::string_view> fields = fields_of(row);
-      if (fields.size() == 6 || fields.size() == 7) return fields;
-      return input_error(
-          here(), fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
-    }
+/// Errors: the file may not end before this row of the rows of a query.
+Result<void> CsvReader::check_end(size_t row, size_t rows) const {
+  if (row > 0) {
+    return input_error(here(), fmt::format("ends after row {} of the {} of its last {} query", row,
+                                           rows, name_of(layout_)));
   }
-
-  Result<void> end_of_file(size_t row, size_t rows) {
-    if (row > 0) {
-      return input_error(here(), fmt::format("ends after row {} of the {} of its last {} query",
-                                             row, rows, name_of(layout)));
-    }
-    if (given == 0) return input_error(lines.path(), "holds no query");
-    if (truths && truths->size() != given) {
-      return input_error(truths_path, fmt::format("has {} truths, but {} has {} queries",
-                                                  truths->size(), lines.path(), given));
-    }
-    return {};
+  if (given_ == 0) return input_error(lines_.path(), "holds no query");
+  if (truths_ && truths_->size() != given_) {
+    return input_error(truths_path_, fmt::format("has {} truths, but {} has {} queries",
+                                                 truths_->size(), lines_.path(), given_));
   }
+  return {};
+}
 
-  Result<std::optional<CsvQuery>> next() {
-    const std::array<Shape, 2> shapes = csv_shapes(layout);
-    const std::array counts = {static_cast<size_t>(shapes[0].control_count()),
-                               static_cast<size_t>(shapes[1].control_count())};
-    const size_t rows = 2 * (counts[0] + counts[1]);
-    CsvQuery query;
-    query.layout = layout;
-    query.path = lines.path();
-    for (auto* points : {&query.start, &query.end}) {
-      for (size_t s = 0; s < 2; ++s) {
-        for (size_t i = 0; i < counts[s]; ++i) {
-          CCDFUZZ_TRY(const auto fields, next_row());
-          if (fields.empty()) {
-            CCDFUZZ_TRY_VOID(end_of_file(query.lines.size(), rows));
-            return std::nullopt;
-          }
-          CCDFUZZ_TRY(auto point, point_of(fields));
-          CCDFUZZ_TRY(const auto label, label_of(fields));
-          if (!query.lines.empty() && query.label != label) {
-            return input_error(here(),
-                               "column 7 (truth): differs from that of the query's row in line " +
-                                   std::to_string(query.lines.front()));
-          }
-          query.label = label;
-          query.lines.push_back(lines.line());
-          (*points)[s].push_back(std::move(point));
+Result<std::optional<CsvQuery>> CsvReader::next() {
+  const std::array<Shape, 2> shapes = csv_shapes(layout_);
+  const std::array counts = {static_cast<size_t>(shapes[0].control_count()),
+                             static_cast<size_t>(shapes[1].control_count())};
+  const size_t rows = 2 * (counts[0] + counts[1]);
+  CsvQuery query;
+  query.layout = layout_;
+  query.path = lines_.path();
+  for (auto* points : {&query.start, &query.end}) {
+    for (size_t s = 0; s < 2; ++s) {
+      for (size_t i = 0; i < counts[s]; ++i) {
+        CCDFUZZ_TRY(const auto fields, next_row());
+        if (fields.empty()) {
+          CCDFUZZ_TRY_VOID(check_end(query.lines.size(), rows));
+          return std::nullopt;
         }
+        CCDFUZZ_TRY(auto point, point_of(fields, here()));
+        CCDFUZZ_TRY(const auto label, label_of(fields, here()));
+        if (!query.lines.empty() && query.label != label) {
+          return input_error(here(),
+                             "column 7 (truth): differs from that of the query's row in line " +
+                                 std::to_string(query.lines.front()));
+        }
+        query.label = label;
+        query.lines.push_back(lines_.line());
+        (*points)[s].push_back(std::move(point));
       }
     }
-    if (truths) {
-      if (query.label) {
-        return input_error(truths_path,
-                           fmt::format("has truths, but so has {} in its rows", lines.path()));
-      }
-      if (given >= truths->size()) {
-        return input_error(truths_path, fmt::format("has {} truths, but {} has more queries",
-                                                    truths->size(), lines.path()));
-      }
-      query.label = (*truths)[given];
-    }
-    CCDFUZZ_TRY_VOID(check_denominator(query));
-    ++given;
-    return query;
   }
-};
-
-CsvReader::CsvReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
-CsvReader::CsvReader(CsvReader&&) noexcept = default;
-CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
-CsvReader::~CsvReader() = default;
+  if (truths_) {
+    if (query.label) {
+      return input_error(truths_path_,
+                         fmt::format("has truths, but so has {} in its rows", lines_.path()));
+    }
+    if (given_ >= truths_->size()) {
+      return input_error(truths_path_, fmt::format("has {} truths, but {} has more queries",
+                                                   truths_->size(), lines_.path()));
+    }
+    query.label = (*truths_)[given_];
+  }
+  CCDFUZZ_TRY_VOID(check_denominator(query));
+  ++given_;
+  return query;
+}
 
 Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& options) {
   CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestCsvLine));
@@ -261,20 +252,13 @@ Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& opt
         "does not tell its layout: name edge-edge, vertex-face or curved in its name "
         "or its folder's, or `ccdfuzz import --as`");
   }
-  auto state =
-      std::make_unique<State>(State{std::move(lines), *layout, std::nullopt, options.truths, 0});
+  CsvReader reader(std::move(lines));
+  reader.layout_ = *layout;
+  reader.truths_path_ = options.truths;
   if (!options.truths.empty()) {
-    CCDFUZZ_TRY(state->truths, read_truths(options.truths));
+    CCDFUZZ_TRY(reader.truths_, read_truths(options.truths));
   }
-  return CsvReader(std::move(state));
-}
-
-Result<std::optional<CsvQuery>> CsvReader::next() {
-  return state_->next();
-}
-
-std::uint64_t CsvReader::position() const {
-  return state_->lines.position();
+  return reader;
 }
 
 }  // namespace ccdfuzz

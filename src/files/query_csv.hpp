@@ -2,14 +2,15 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/enum_names.hpp"
 #include "case/case.hpp"
+#include "io/line_reader.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -66,11 +67,9 @@ struct CsvOptions {
 /// with # are skipped.
 class CsvReader {
  public:
-  /// Errors: as open_input; neither the options nor the path tell the layout; no list of truths.
+  /// Errors: as InputBytes::open; neither the options nor the path tell the layout; no list of
+  /// truths.
   static Result<CsvReader> open(const std::string& path, const CsvOptions& options = {});
-  CsvReader(CsvReader&&) noexcept;
-  CsvReader& operator=(CsvReader&&) noexcept;
-  ~CsvReader();
 
   /// The next query; nothing at the end. Errors name file, row, column and value: no number; a
   /// denominator ≤ 0; a wrong number of columns; a file without a query, or that ends within one.
@@ -78,12 +77,19 @@ class CsvReader {
   Result<std::optional<CsvQuery>> next();
 
   /// Bytes of the file read so far.
-  std::uint64_t position() const;
+  std::uint64_t position() const { return lines_.position(); }
 
  private:
-  struct State;
-  explicit CsvReader(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}
+  std::string here() const;
+  Result<std::vector<std::string_view>> next_row();
+  Result<void> check_end(size_t row, size_t rows) const;
+
+  LineReader lines_;
+  CsvLayout layout_ = CsvLayout::kEdgeEdge;
+  std::optional<std::vector<bool>> truths_;
+  std::string truths_path_;
+  size_t given_ = 0;  ///< queries
 };
 
 /// The query in doubles, t_max = 1. Positions are the start points. The patches have velocities, if

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "io/descriptor.hpp"
+
+struct ZSTD_DCtx_s;
 
 namespace ccdfuzz {
 
@@ -33,18 +36,28 @@ Result<std::vector<std::string>> files_under(
 /// Bytes of a file, from the start, a piece at a time; decompressed where it is zstd.
 class InputBytes {
  public:
-  virtual ~InputBytes() = default;
+  /// Errors: it does not exist, is a folder, cannot be read, naming the path.
+  static Result<InputBytes> open(const std::string& path, bool zstd);
+
   /// The next bytes, at most `most` of them; empty at the end of the file. Errors: naming the path.
-  virtual Result<std::string> read(size_t most) = 0;
+  Result<std::string> read(size_t most);
   /// How many bytes of the file itself, which may be compressed, have been read.
-  virtual std::uint64_t position() const = 0;
+  std::uint64_t position() const { return position_; }
+
+ private:
+  struct FreeStream {
+    void operator()(ZSTD_DCtx_s* stream) const;
+  };
+  Result<std::string> read_as_it_is(size_t most);
+
+  std::string path_;
+  Descriptor descriptor_;
+  std::uint64_t position_ = 0;
+  std::unique_ptr<ZSTD_DCtx_s, FreeStream> stream_;  ///< null: it is not compressed
+  std::string packed_;                               ///< read, and from `at_` on not yet unpacked
+  size_t at_ = 0;
+  bool ended_ = false;
+  bool inside_frame_ = false;
 };
-
-/// Opens a file. Errors: it does not exist, is a folder, cannot be read, naming the path.
-Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd);
-
-/// All of a file that is not compressed. Errors: as refuse_irregular and open_input; it has more
-/// than `most` bytes; naming the path.
-Result<std::string> read_file(const std::string& path, size_t most);
 
 }  // namespace ccdfuzz

@@ -160,20 +160,11 @@ Result<JsonValue> parse_json(std::string_view text, const std::string& file) {
 
 std::string shown(const JsonValue& value) {
   constexpr size_t kLongest = 60;
-  switch (value.kind) {
-    case JsonKind::kNull:
-      return "null";
-    case JsonKind::kArray:
-      return "an array";
-    case JsonKind::kObject:
-      return "an object";
-    case JsonKind::kString:
-      if (value.text.size() > kLongest) return json_string(value.text.substr(0, kLongest)) + "…";
-      return json_string(value.text);
-    default:
-      if (value.text.size() > kLongest) return value.text.substr(0, kLongest) + "…";
-      return value.text;
-  }
+  if (value.kind == JsonKind::kArray) return "an array";
+  if (value.kind == JsonKind::kObject) return "an object";
+  const std::string text = value.text.substr(0, kLongest);
+  const char* const rest = value.text.size() > kLongest ? "…" : "";
+  return (value.kind == JsonKind::kString ? json_string(text) : text) + rest;
 }
 
 std::string member_path(const std::string& path, std::string_view key) {

@@ -11,96 +11,41 @@
 #include "base/fp_guard.hpp"
 #include "base/verify.hpp"
 #include "io/json_library.hpp"
+#include "io/json_tree.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// The end of the string whose opening quote is at `at`: past its closing quote.
-size_t end_of_string(std::string_view json, size_t at) {
-  for (++at; json[at] != '"'; ++at) {
-    if (json[at] == '\\') ++at;
+/// The value on one line, with these marks behind an item and a key.
+std::string on_one_line(const JsonValue& value, const char* comma, const char* colon) {
+  if (value.kind == JsonKind::kString) return json_string(value.text);
+  const bool is_object = value.kind == JsonKind::kObject;
+  if (!is_object && value.kind != JsonKind::kArray) return value.text;
+  std::string out(1, is_object ? '{' : '[');
+  for (size_t i = 0; i < value.items.size(); ++i) {
+    if (i > 0) out += comma;
+    if (is_object) out += json_string(value.keys[i]) + colon;
+    out += on_one_line(value.items[i], comma, colon);
   }
-  return at + 1;
+  return out + (is_object ? '}' : ']');
 }
 
-/// Lays out a JSON text without blanks between its tokens.
-class Layout {
- public:
-  explicit Layout(std::string_view json) : json_(json) {}
-
-  /// Appends the value at `at_`, which begins in `column`; a member's value is followed by a comma.
-  void value(size_t depth, size_t column) {
-    const size_t end = end_of_value();
-    constexpr size_t kColumns = 100;
-    const bool is_container = json_[at_] == '{' || json_[at_] == '[';
-    // Blanks after commas and colons come on top of what is counted, a few a line.
-    if (!is_container || end - at_ < kColumns - std::min(column, kColumns - 1)) {
-      return one_line(end);
-    }
-    out_ += json_[at_++];
-    while (json_[at_ - 1] != '}' && json_[at_ - 1] != ']') {
-      out_ += '\n';
-      out_.append(2 * (depth + 1), ' ');
-      size_t used = 2 * (depth + 1);
-      if (json_[at_] == '"') {
-        const size_t key_end = end_of_string(json_, at_);
-        if (json_[key_end] == ':') {
-          used += key_end - at_ + 2;
-          out_ += json_.substr(at_, key_end - at_);
-          out_ += ": ";
-          at_ = key_end + 1;
-        }
-      }
-      value(depth + 1, used);
-      if (json_[at_] == ',') out_ += ',';
-      ++at_;
-    }
-    out_ += '\n';
-    out_.append(2 * depth, ' ');
-    out_ += json_[at_ - 1];
+/// The value, which begins in `column` of a line with this indent.
+std::string laid_out(const JsonValue& value, size_t indent, size_t column) {
+  constexpr size_t kColumns = 100;
+  // Blanks after commas and colons come on top of what is counted, a few a line.
+  const bool fits = column + on_one_line(value, ",", ":").size() < kColumns;
+  if (fits || value.items.empty()) return on_one_line(value, ", ", ": ");
+  const bool is_object = value.kind == JsonKind::kObject;
+  std::string out(1, is_object ? '{' : '[');
+  for (size_t i = 0; i < value.items.size(); ++i) {
+    const std::string key = is_object ? json_string(value.keys[i]) + ": " : "";
+    out += (i == 0 ? "\n" : ",\n") + std::string(indent + 2, ' ') + key;
+    out += laid_out(value.items[i], indent + 2, indent + 2 + key.size());
   }
-
-  std::string take() && { return std::move(out_); }
-
- private:
-  size_t end_of_value() const {
-    size_t at = at_, open = 0;
-    do {
-      const char c = json_[at];
-      if (c == '"') {
-        at = end_of_string(json_, at);
-        continue;
-      }
-      if (c == '{' || c == '[') ++open;
-      if (c == '}' || c == ']') {
-        if (open == 0) break;
-        --open;
-      }
-      if (c == ',' && open == 0) break;
-      ++at;
-    } while (at < json_.size());
-    return at;
-  }
-
-  void one_line(size_t end) {
-    while (at_ < end) {
-      if (json_[at_] == '"') {
-        const size_t string_end = end_of_string(json_, at_);
-        out_ += json_.substr(at_, string_end - at_);
-        at_ = string_end;
-        continue;
-      }
-      out_ += json_[at_];
-      if (json_[at_] == ',' || json_[at_] == ':') out_ += ' ';
-      ++at_;
-    }
-  }
-
-  std::string_view json_;
-  size_t at_ = 0;
-  std::string out_;
-};
+  return out + '\n' + std::string(indent, ' ') + (is_object ? '}' : ']');
+}
 
 }  // namespace
 
@@ -123,9 +68,7 @@ std::string json_number(double x) {
 }
 
 std::string readable_json(std::string_view json) {
-  Layout layout(json);
-  layout.value(0, 0);
-  return std::move(layout).take();
+  return laid_out(value_or_throw(parse_json(json, "")), 0, 0);
 }
 
 }  // namespace ccdfuzz

@@ -13,7 +13,7 @@ std::string json_string(std::string_view text);
 std::string json_number(double x);
 
 /// One line of JSON as people read it. What fits into a line of 100 columns stays on one. Other
-/// objects and arrays have a line for each member.
+/// objects and arrays have a line for each member. Requires a text that parse_json reads.
 std::string readable_json(std::string_view json);
 
 }  // namespace ccdfuzz

@@ -13,7 +13,7 @@ constexpr size_t kBytesAtOnce = 1 << 16;
 }  // namespace
 
 Result<LineReader> LineReader::open(const std::string& path, bool zstd, size_t longest) {
-  CCDFUZZ_TRY(auto bytes, open_input(path, zstd));
+  CCDFUZZ_TRY(auto bytes, InputBytes::open(path, zstd));
   LineReader reader;
   reader.path_ = path;
   reader.bytes_ = std::move(bytes);
@@ -41,10 +41,20 @@ Result<std::optional<std::string_view>> LineReader::next(bool whole) {
     buffer_.erase(0, at_);
     at_ = 0;
     searched = buffer_.size();
-    CCDFUZZ_TRY(auto more, bytes_->read(kBytesAtOnce));
+    CCDFUZZ_TRY(auto more, bytes_.read(kBytesAtOnce));
     ended_ = more.empty();
     buffer_ += more;
   }
+}
+
+Result<std::string> read_text(const std::string& path, size_t most) {
+  CCDFUZZ_TRY(auto file, LineReader::open(path, false, most));
+  return file.next(true).map([](const auto& text) { return std::string(text.value_or("")); });
+}
+
+Result<std::string> read_file(const std::string& path, size_t most) {
+  CCDFUZZ_TRY_VOID(refuse_irregular(path));
+  return read_text(path, most);
 }
 
 std::string_view trimmed(std::string_view text) {
