@@ -238,9 +238,8 @@ ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumb
 int check_choices(const CheckArguments& options, Session& session) {
   if (options.names.size() != 1) throw BadInput{{"--choices", "needs the name of one property"}};
   const Property property = need(property_named(options.names[0], session.properties));
-  const Result<ChoiceNumbers> numbers = parse_choices(*options.choices);
-  if (!numbers) throw BadInput{{"--choices", numbers.error().message()}};
-  Draw choices = Draw::from_numbers(*numbers);
+  const ChoiceNumbers numbers = need_at("--choices", parse_choices(*options.choices));
+  Draw choices = Draw::from_numbers(numbers);
   const Check check = run(property, choices);
   const bool fails = check.status == Check::Status::kFails;
   const bool known_false = property.expected == Expectation::kFails;
@@ -254,7 +253,7 @@ int check_choices(const CheckArguments& options, Session& session) {
                                fails && known_false ? " as expected" : "",
                                check.text.empty() ? "" : ": ", check.text));
   if (fails && !options.save.empty()) {
-    const SavedFind saved = need(save_find(options.save, find_of(property, check, *numbers)));
+    const SavedFind saved = need(save_find(options.save, find_of(property, check, numbers)));
     if (!session.json) print_out(fmt::format("saved: {}\n", saved.path));
   }
   if (check.status == Check::Status::kDiscarded) {
@@ -281,10 +280,7 @@ int run_check(const CheckArguments& options, Session& session) {
   if (options.choices) return check_choices(options, session);
   const std::vector<Property> chosen = chosen_properties(options, session.properties);
   const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
-  if (!options.save.empty()) {
-    const Result<void> made = make_writable_folder(options.save);
-    if (!made) throw BadInput{{"--save", made.error().message()}};
-  }
+  if (!options.save.empty()) need(make_writable_folder(options.save));
   Table table = check_table(chosen);
   std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();

@@ -12,8 +12,8 @@
 #include "generators/draw/choice_bytes.hpp"
 #include "io/folder_lock.hpp"
 #include "io/hash_name.hpp"
-#include "io/line_reader.hpp"
 #include "io/json_write.hpp"
+#include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -30,6 +30,15 @@ std::string path_of(const std::string& folder, const std::string& name) {
 bool is_there(const std::string& path) {
   std::error_code none;
   return std::filesystem::exists(std::filesystem::symlink_status(path, none));
+}
+
+/// Whether these are the entries of a folder of claims.
+bool are_claims(const std::string& folder, const std::vector<std::string>& entries) {
+  if (!entries.empty()) return read_find(entries.front()).has_value();
+  const auto plain = std::filesystem::path(folder).lexically_normal();
+  std::error_code none;
+  return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims &&
+         !std::filesystem::exists(claims_in(folder), none);
 }
 
 }  // namespace
@@ -79,23 +88,22 @@ std::string claims_in(const std::string& corpus) {
 }
 
 bool is_claims_folder(const std::string& path) {
-  const auto entries = list_entries(path);
-  if (entries && !entries->empty()) return read_find(entries->front()).has_value();
-  const auto plain = std::filesystem::path(path).lexically_normal();
-  std::error_code none;
-  return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims &&
-         !std::filesystem::exists(claims_in(path), none);
+  return are_claims(path, list_entries(path).value_or(std::vector<std::string>()));
 }
 
-Result<std::vector<std::string>> claim_files(const std::string& corpus) {
+Result<CorpusFiles> cases_and_claims(const std::string& corpus) {
   std::error_code none;
-  if (std::filesystem::is_regular_file(corpus, none)) {
-    return corpus.ends_with(".json") && read_find(corpus) ? std::vector{corpus}
-                                                          : std::vector<std::string>();
+  if (std::filesystem::exists(corpus, none) && !std::filesystem::is_directory(corpus, none)) {
+    const bool is_claim = corpus.ends_with(".json") && read_find(corpus);
+    return is_claim ? CorpusFiles{{}, {corpus}} : CorpusFiles{{corpus}, {}};
   }
-  const std::string folder = is_claims_folder(corpus) ? corpus : claims_in(corpus);
-  if (!std::filesystem::is_directory(folder, none)) return std::vector<std::string>();
-  return list_entries(folder);
+  CCDFUZZ_TRY(auto entries, list_entries(corpus));
+  if (are_claims(corpus, entries)) return CorpusFiles{{}, std::move(entries)};
+  CorpusFiles files{std::move(entries), {}};
+  if (std::filesystem::is_directory(claims_in(corpus), none)) {
+    CCDFUZZ_TRY(files.claims, list_entries(claims_in(corpus)));
+  }
+  return files;
 }
 
 Result<ClaimFind> read_find(const std::string& path) {

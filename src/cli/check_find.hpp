@@ -83,9 +83,14 @@ std::string claims_in(const std::string& corpus);
 /// Where there is none, by its name (kClaims). A corpus may have that name, too, and has one
 /// inside.
 bool is_claims_folder(const std::string& path);
-/// The files of claims in a corpus, or in such a folder, or the path itself where it is that of a
-/// find. Errors: a folder cannot be read.
-Result<std::vector<std::string>> claim_files(const std::string& corpus);
+
+/// The files of a corpus, which has cases and finds of claims.
+struct CorpusFiles {
+  std::vector<std::string> cases, claims;
+};
+/// Those of a corpus; of such a folder, which has no cases; or the path itself where it is that of
+/// a file. Errors: a folder cannot be read.
+Result<CorpusFiles> cases_and_claims(const std::string& corpus);
 
 /// The find in a file. Errors: it cannot be read, or is no find.
 Result<ClaimFind> read_find(const std::string& path);

@@ -298,11 +298,9 @@ void add_hunt(CommandLine& line) {
              1, kMostCases)
       .excludes(seconds)
       .without_default();
-  command
-      .choice("--until OUTCOME", hunt.until,
-              "End with the first counterexample of this outcome: missed, late, false_positive, "
-              "error")
-      .without_default();
+  command.choice("--until OUTCOME", hunt.until,
+                 "End with the first counterexample of this outcome: missed, late, false_positive, "
+                 "error");
   command.whole("--seed", hunt.seed, "Seed of the cases");
   command.group("What to test");
   hunt.methods = methods_by_default();

@@ -85,20 +85,19 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
 
 /// The counts of a merge of inputs of claims.
 struct MergedClaims {
-  std::uint64_t entries = 0, taken = 0, now = 0;
+  std::uint64_t entries = 0, taken = 0;
   std::uint64_t without_input = 0;  ///< finds that did not fail again, which have no choices
 };
 
-/// Copies the inputs of claims of corpora into another corpus (save_find). They are in folders
-/// called kClaims, any of which may also be named itself; the new one is made if there are any. An
-/// input that is there already stays as it is. known: all the properties that there are. Throws
-/// BadInput: of a folder or file; an entry of an unknown property, naming it.
-MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::string& into,
+/// Copies inputs of claims into a corpus (save_find), whose folder of them is made if there are
+/// any. An input that is there already stays as it is. known: all the properties that there are.
+/// Throws BadInput: of a folder or file; an entry of an unknown property, naming it.
+MergedClaims merge_claims(const std::vector<std::string>& files, const std::string& into,
                           const std::vector<Property>& known) {
   MergedClaims merged;
   const std::string folder = claims_in(into);
   std::set<std::pair<std::string, ChoiceNumbers>> inputs;  // in it
-  for (const std::string& path : need(claim_files(into))) {
+  for (const std::string& path : need(cases_and_claims(into)).claims) {
     inputs.insert(need(read_find(path)).input());
   }
   const auto take = [&](const ClaimFind& find, const std::string& name) {
@@ -108,21 +107,15 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
     if (saved.is_new) inputs.insert(find.input());
     return saved.is_new;
   };
-  for (const std::string& corpus : corpora) {
-    const std::vector<std::string> files = need(claim_files(corpus));
-    if (!files.empty()) need(make_writable_folder(folder));
-    for (const std::string& path : files) {
-      const ClaimFind find = need(read_find(path));
-      if (const auto property = property_named(find.property, known); !property) {
-        throw BadInput{{path + ": property", property.error().what}};
-      }
-      ++merged.entries;
-      const bool has_input = find.shrunk != Shrunk::kNot;
-      if (!has_input) ++merged.without_input;
-      if (has_input && take(find, fs::path(path).stem())) ++merged.taken;
-    }
+  if (!files.empty()) need(make_writable_folder(folder));
+  for (const std::string& path : files) {
+    const ClaimFind find = need(read_find(path));
+    need_at(path + ": property", property_named(find.property, known));
+    ++merged.entries;
+    const bool has_input = find.shrunk != Shrunk::kNot;
+    if (!has_input) ++merged.without_input;
+    if (has_input && take(find, fs::path(path).stem())) ++merged.taken;
   }
-  merged.now = need(claim_files(into)).size();
   return merged;
 }
 
@@ -133,38 +126,41 @@ int merge_corpora(const MergeOptions& options, Session& session) {
       store, [] { return Asker({}); },
       [] { return Asker({.max_seconds = kLongestQuerySeconds}, MethodSet(make_served_method)); });
   std::uint64_t entries = 0, taken = 0;
+  std::vector<std::string> of_claims;
   for (const std::string& input : inputs) {
-    if (is_claims_folder(input)) continue;
+    const CorpusFiles files = need(cases_and_claims(input));
+    of_claims.insert(of_claims.end(), files.claims.begin(), files.claims.end());
+    if (files.cases.empty()) continue;
     need(for_each_entry(input, [&](const NamedCase& entry) {
       ++entries;
       if (need(intake.take(entry)) != Store::Put::kKnown) ++taken;
     }));
   }
   taken += need(intake.take_doubtful());
-  const std::uint64_t now = need(list_entries(output)).size();
   const Intake::Settled& settled = intake.settled();
-  const MergedClaims claims = merge_claims(inputs, output, session.properties);
+  const MergedClaims claims = merge_claims(of_claims, output, session.properties);
+  const CorpusFiles now = need(cases_and_claims(output));
   if (session.json) {
     print_row([&](auto& row) {
       row("entries", entries);
       row("taken_over", taken);
-      row("now", now);
+      row("now", now.cases.size());
       row("asked_again", settled.asked);
       row.optional("not_asked", settled.kept);
       row.optional("claims", claims.entries);
       row.optional("claims_taken_over", claims.taken);
-      row.optional("claims_now", claims.now);
+      row.optional("claims_now", now.claims.size());
       row.optional("claims_without_input", claims.without_input);
     });
   }
-  session.summary(fmt::format("{} of {}, {} taken over, {} now in {}",
-                              counted(entries, "entry", "entries"),
-                              counted(inputs.size(), "corpus", "corpora"), taken, now, output));
+  session.summary(
+      fmt::format("{} of {}, {} taken over, {} now in {}", counted(entries, "entry", "entries"),
+                  counted(inputs.size(), "corpus", "corpora"), taken, now.cases.size(), output));
   if (claims.entries > 0) {
     session.summary(fmt::format(
         "{}, {} taken over, {} now in {}/{}{}",
         counted(claims.entries, "input of properties", "inputs of properties"), claims.taken,
-        claims.now, output, kClaims,
+        now.claims.size(), output, kClaims,
         claims.without_input == 0
             ? ""
             : fmt::format("; {} did not fail again and have no choices", claims.without_input)));

@@ -22,12 +22,11 @@ struct MethodsOptions {
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
-    const auto info = admit_plugin(spec).and_then([&] { return method_info(spec); });
-    if (!info) throw BadInput{{"method", info.error().what}};
-    if (!info->fault.empty()) {
-      throw BadInput{{"method", fmt::format("\"{}\": {}", spec, info->fault)}};
+    infos.push_back(
+        need_at("method", admit_plugin(spec).and_then([&] { return method_info(spec); })));
+    if (const std::string& fault = infos.back().fault; !fault.empty()) {
+      throw BadInput{{"method", fmt::format("\"{}\": {}", spec, fault)}};
     }
-    infos.push_back(*info);
   }
   if (!specs.empty()) return infos;
   infos = registered_methods();

@@ -114,9 +114,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
       result.not_allowed.emplace(method, expected);
       continue;
     }
-    if (const auto made = make_method(method); !made) {
-      throw BadInput{{entry.id + ": expect", made.error().what}};
-    }
+    need_at(entry.id + ": expect", make_method(method));
     Asker& asker = expected.outcome == Outcome::kError ? askers.served : askers.here;
     Judged judged = asker.ask(method, *known, search);
     Expected got = asker.expected(method, known->value(), judged);
@@ -143,14 +141,14 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
-    const std::vector<std::string> claims = need(claim_files(options_.corpus));
-    const std::vector<std::string> entries = case_files(claims);
-    if (of_methods && entries.empty()) {
+    const auto [cases, claims] = need(cases_and_claims(options_.corpus));
+    if (cases.empty() && claims.empty()) need(corpus_files(options_.corpus));
+    if (of_methods && cases.empty()) {
       throw BadInput{{options_.corpus, "has claims alone, about which no method is asked"}};
     }
     if (!of_methods) replay_claims(claims);
     session_.each_case<Replayed>(
-        CaseStream(entries),
+        CaseStream(cases),
         [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
         [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
@@ -161,14 +159,6 @@ class Replay {
   }
 
  private:
-  /// The files of cases. There must be some where there are no claims.
-  std::vector<std::string> case_files(const std::vector<std::string>& claims) const {
-    const std::string& corpus = options_.corpus;
-    if (claims.empty()) return need(corpus_files(corpus));
-    const bool has_no_others = claims[0] == corpus || is_claims_folder(corpus);
-    return has_no_others ? std::vector<std::string>() : need(list_entries(corpus));
-  }
-
   /// Runs the property of each of these files on its choices, in a child. Throws BadInput for a
   /// file that is no claim, or is of a property that is not known.
   void replay_claims(const std::vector<std::string>& files) {
@@ -176,9 +166,9 @@ class Replay {
     for (const std::string& path : files) {
       if (session_.interrupted()) return;
       const ClaimFind find = need(read_find(path));
-      const Result<Property> property = property_named(find.property, session_.properties);
-      if (!property) throw BadInput{{path + ": property", property.error().what}};
-      const InputRun run = served.on(*property, find.choices);
+      const Property property =
+          need_at(path + ": property", property_named(find.property, session_.properties));
+      const InputRun run = served.on(property, find.choices);
       if (run.error == "interrupted") return;
       const auto& [got, text] = run.check;
       const Change change = change_of(find.expect, got);

@@ -34,6 +34,13 @@ T need(Result<T> result) {
   if (!result) throw BadInput{std::move(result.error())};
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
+/// The same of what is at `where`, whatever place the error names.
+template <class T>
+T need_at(const std::string& where, Result<T> result) {
+  return need(std::move(result).map_error([&](const InputError& error) {
+    return InputError{where, error.what};
+  }));
+}
 
 /// A long run that an earlier process may have begun.
 struct ResumedRun {

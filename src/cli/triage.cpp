@@ -221,14 +221,13 @@ class TriageRun {
     if (name == "query" || name == "witnessed") {
       throw BadInput{{"--target", "inputs of " + name + " are read without it"}};
     }
-    const Result<Suite> suite = session_.find_suite(name);
-    if (!suite) throw BadInput{{"--target", suite.error().message()}};
+    const Suite suite = need_at("--target", session_.find_suite(name));
     need(make_writable_folder(claims_in(arguments_.output)));
     ServedClaims served;
     go(files, [&](const std::string& file) {
       return read_bytes(file).map([&](const std::vector<std::uint8_t>& bytes) {
         ++counts_.tally.inputs;
-        const auto input = claim_input(*suite, bytes);
+        const auto input = claim_input(suite, bytes);
         return !input || triage_claim(file, *input, served);
       });
     });

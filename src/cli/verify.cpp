@@ -5,6 +5,7 @@
 #include "certify/checker/work.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/default_budget.hpp"
 #include "cli/session.hpp"
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
@@ -42,12 +43,10 @@ struct Verified {
 };
 
 /// proves_clear within the work of a certificate, as which it counts, half of it for doubles.
-/// Measured: there a pair of cells of two patches with n control points together takes as long as
-/// 8·n·(n + 100) operations. Returns whether it is proven and whether a limit was met.
+/// Measured: there a pair of cells takes as long as 8 · work_of_a_pop operations. Returns whether
+/// it is proven and whether a limit was met.
 std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
-  const std::uint64_t points =
-      query.patches[0].positions.size() + query.patches[1].positions.size();
-  const std::uint64_t of_a_pop = 8 * points * (points + 100);
+  const std::uint64_t of_a_pop = 8 * work_of_a_pop(query);
   const ClearEffort most = {std::min(ClearEffort().pops, kMostWork / 2 / of_a_pop), kMostWork / 2};
   ClearEffort spent;
   const bool proven = proves_clear(query, until, most, &spent);
