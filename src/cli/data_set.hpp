@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "cli/common_options.hpp"
@@ -31,12 +30,8 @@ class DataSetWriter {
   /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is
   /// filled in here. A stream has no place for it (drop_tree).
   Result<void> write(Case value, const std::string& tree) {
-    auto* const of_tree =
-        value.truth.clearance ? std::get_if<MissTree>(&*value.truth.clearance) : nullptr;
-    if (of_tree != nullptr && is_streamed_) {
-      drop_tree(value.truth);
-      ++left_out_;
-    } else if (of_tree != nullptr) {
+    if (is_streamed_ && drop_tree(value.truth)) ++left_out_;
+    if (MissTree* const of_tree = miss_tree(value.truth)) {
       CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
     }
     return cases_.write(value);

@@ -2,15 +2,13 @@
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/data_set.hpp"
 #include "cli/session.hpp"
-#include "eval/generation_cost.hpp"
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
-#include "files/tree_file.hpp"
 #include "finds/content_address.hpp"
 #include "finds/minimise.hpp"
 #include "io/input_bytes.hpp"
-#include "io/output_file.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
@@ -37,29 +35,26 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
   const bool may_crash =
       expected != found.value.expect.end() && expected->second.outcome == Outcome::kError;
   MethodSet methods(may_crash ? make_served_method : make_method);
-  const auto admitted = admit_plugin(spec).and_then([&] { return make_method(spec); });
-  if (!admitted) throw BadInput{{"--method", admitted.error().what}};
+  need_at("--method", admit_plugin(spec).and_then([&] { return make_method(spec); }));
   return Asker(options.search.options_for(found.value), std::move(methods));
 }
 
 /// Writes the case and beside it the tree that it may have; only one that is as it was has a tree.
 void write_minimised(const MinimizeOptions& options, Case value, bool json) {
-  const bool had_tree =
-      value.truth.clearance && std::holds_alternative<MissTree>(*value.truth.clearance);
-  const bool is_streamed = options.output.empty() || is_stream(options.output);
-  need(carry_tree(value.truth, is_streamed ? "" : trees_path(options.file), options.output));
-  if (had_tree && is_streamed) {
+  const std::string& path = options.output;
+  if (!path.empty() && !is_stream(path)) {
+    const std::string tree = need(tree_of(value.truth, trees_path(options.file)));
+    DataSetWriter writer = need(DataSetWriter::open(path));
+    need(writer.write(std::move(value), tree));
+    return need(writer.finish());
+  }
+  if (drop_tree(value.truth)) {
     print_err(
         "ccdfuzz: minimize: without its tree of separating axes, which a stream cannot hold, the "
         "case proves no absence of contact: use --output FILE\n");
   }
   const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
-  if (!options.output.empty()) {
-    need(write_file(options.output, text));
-    if (!is_streamed && !had_tree) need(remove_beside(options.output, kTreesEnding));
-    if (!is_streamed) need(remove_beside(options.output, kCostsEnding));
-    return;
-  }
+  if (!path.empty()) return need(write_file(path, text));
   if (!json) print_out(text);
 }
 

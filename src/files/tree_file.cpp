@@ -84,7 +84,7 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
 }
 
 Result<std::string> tree_of(const Truth& truth, const std::string& trees) {
-  const auto* miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+  const MissTree* const miss = miss_tree(truth);
   if (miss == nullptr) return "";
   const auto named = [](const InputError& error) {
     return InputError{"truth.certificate.clear.tree", error.message()};
@@ -92,16 +92,17 @@ Result<std::string> tree_of(const Truth& truth, const std::string& trees) {
   return read_tree(trees, miss->tree).map_error(named);
 }
 
-void drop_tree(Truth& truth) {
-  if (!truth.clearance || !std::holds_alternative<MissTree>(*truth.clearance)) return;
+bool drop_tree(Truth& truth) {
+  if (miss_tree(truth) == nullptr) return false;
   truth.clearance.reset();
   truth.clear_until.reset();
   if (truth.collides == false) truth.proof = "rational-tdibm";
+  return true;
 }
 
 Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path) {
   if (trees.empty()) drop_tree(truth);
-  auto* const miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+  MissTree* const miss = miss_tree(truth);
   if (miss == nullptr) return {};
   CCDFUZZ_TRY(const auto bytes, read_tree(trees, miss->tree));
   TreeWriter writer(case_path);

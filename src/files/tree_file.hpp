@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "case/case.hpp"
 #include "io/output_file.hpp"
@@ -31,9 +32,14 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
 /// naming the field.
 Result<std::string> tree_of(const Truth& truth, const std::string& trees);
 
+/// The certificate of a truth that is a miss tree; null if it has none.
+auto* miss_tree(auto& truth) {
+  return truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+}
+
 /// For a truth whose tree does not come along: what it says of absence by that tree then rests on a
-/// method's word.
-void drop_tree(Truth& truth);
+/// method's word. False: it has no tree.
+bool drop_tree(Truth& truth);
 
 /// Copies the tree of a truth, if it has one, from the file `trees` to the file beside `case_path`,
 /// and makes the truth name it there. Without `trees` (empty) as drop_tree. Errors: as read_tree

@@ -28,10 +28,6 @@ Result<void> check_name(const std::string& name) {
                                      name));
 }
 
-bool has_tree(const Case& value) {
-  return value.truth.clearance && std::holds_alternative<MissTree>(*value.truth.clearance);
-}
-
 bool shows(const Case& value, const Failure& failure) {
   const std::vector<Failure> shown = failures_of(value);
   return std::ranges::find(shown, failure) != shown.end();
@@ -62,10 +58,11 @@ Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
   const auto write = [&](const Case& now) {
     return write_file(path, to_json(now, JsonLayout::kReadable) + "\n");
   };
-  const bool has_other_tree = has_tree(value) && value.truth.clearance != old.value.truth.clearance;
-  const bool loses_tree = has_tree(old.value) && !has_tree(value);
+  const bool has_other_tree =
+      miss_tree(value.truth) && value.truth.clearance != old.value.truth.clearance;
+  const bool loses_tree = miss_tree(old.value.truth) && !miss_tree(value.truth);
   Result<void> written;
-  if (has_other_tree && has_tree(old.value)) {
+  if (has_other_tree && miss_tree(old.value.truth)) {
     Case bare = old.value;
     drop_tree(bare.truth);
     written = write(bare);
@@ -176,7 +173,7 @@ Result<Store::Put> Store::put_locked(const Failure& failure, const Case& find,
     if (shows(united.value, failure)) return rewrite_entry(*standing, std::move(united));
     if (is_of_failure) return Put::kKnown;
   }
-  if (is_of_failure && !has_tree(old) && !has_tree(find)) {
+  if (is_of_failure && !miss_tree(old.truth) && !miss_tree(find.truth)) {
     return write_entry(path, find, trees).map([] { return Put::kSmaller; });
   }
   // The name of a tree follows from that of its entry: both cannot be replaced at one moment.
