@@ -106,7 +106,7 @@ void claim_judged_by_meaning(Draw& d, Case known) {
   const std::size_t side = d.choose(1);
   const auto steps = static_cast<long>(d.integer(-4, 4));
   const Rational off = steps * power_of_two(d.pick(std::array{-6, -20}));
-  switch (query.separation > 0 && d.coin() ? 6 : d.choose(6)) {
+  switch (query.separation > 0 && d.coin() ? 5 : d.choose(5)) {
     case 0:
       break;
     case 1:
@@ -125,14 +125,6 @@ void claim_judged_by_meaning(Draw& d, Case known) {
       for (Vec3<double>& p : query.patches[side].positions) p[axis] += by;
       break;
     }
-    case 5:  // the same motion, which begins about the contact
-      suppose(!has_ends(query));
-      for (MovingPatch<double>& patch : query.patches) {
-        patch.positions = patch.at(Rational(witness.t + off).get_d());
-      }
-      witness.t = -off;
-      known.truth.clear_until.reset();
-      break;
     default:
       query.separation = std::nextafter(query.separation, d.coin() ? HUGE_VAL : 0);
   }

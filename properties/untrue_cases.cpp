@@ -11,22 +11,30 @@ namespace ccdfuzz {
 namespace {
 
 /// k·2^-e, of either sign; 0 is not rare.
-Rational draw_step(Draw& choices) {
+Rational draw_step(Draw& choices, int most_bits) {
   const auto steps = static_cast<long>(choices.integer(-2, 2));
-  return steps * power_of_two(-static_cast<long>(choices.integer(0, 60)));
+  return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
 }
 
-/// A linear query with the exact decision, or with a clearance whose end counts otherwise.
+/// A linear query with the checker's own decision: clear up to its first contact, and the witness.
+/// If the contact is at an irrational time, it has the root instead.
 Case draw_linear_proofs(Draw& choices) {
   Case proven;
   proven.query = supposed(draw_linear(choices));
   Truth& truth = proven.truth;
-  truth = decide_linear(proven.query, {}).truth;
-  truth.proof.reset();
-  if (!truth.clearance || choices.coin()) return proven;
-  auto& clearance = std::get<LinearClearance>(*truth.clearance);
-  clearance.closed = !clearance.closed;
-  if (clearance.closed) clearance.until /= 2;
+  const Truth decided = decide_linear(proven.query, {}).truth;
+  truth.witness = decided.witness;
+  truth.contact_root = decided.contact_root;
+  LinearClearance clearance{exact(proven.query.t_max), choices.coin()};
+  if (truth.witness || truth.contact_root) {
+    const Rational first = truth.witness ? truth.witness->t : truth.contact_root->from;
+    if (clearance.closed) {
+      clearance = {first / 2, first > 0};
+    } else {
+      clearance.until = first;
+    }
+  }
+  truth.clearance = clearance;
   return proven;
 }
 
@@ -99,13 +107,43 @@ void check_claims_of_case(Draw& d) {
   claim.truth.collides = d.pick(kSaid);
   claim.truth.clear_until.reset();
   if (d.coin()) {
+    constexpr int kMostBits = 60;
     const Rational near = draw_proven_time(d, claim);
-    const Rational until = near + draw_step(d);
+    const Rational until = near + draw_step(d, kMostBits);
     claim.truth.clear_until = until;
   }
   show(d, "case", claim);
   CLAIM(check_truth(claim).has_value() == contact_bears(claim));
   CLAIM(absence_is_accepted(claim) == clearance_bears(claim));
+}
+
+/// The same motion from another time on. Discarded if it takes numbers that no double holds.
+void begin_at(Case& moving, const Rational& start) {
+  for (MovingPatch<double>& patch : moving.query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const Rational moved = exact(patch.positions[i][k]) + start * exact(patch.velocities[i][k]);
+        patch.positions[i][k] = supposed(to_double_exactly(moved));
+      }
+    }
+  }
+  if (moving.truth.witness) moving.truth.witness->t -= start;
+  if (moving.truth.clearance) std::get<MovingPlane>(*moving.truth.clearance).until -= start;
+}
+
+void check_other_start(Draw& d) {
+  Case moved = d.coin() ? draw_generated(d) : supposed(draw_contact(d, {}));
+  moved.truth.collides.reset();
+  moved.truth.clear_until.reset();
+  constexpr int kMostBits = 8;
+  const Rational time = draw_proven_time(d, moved);
+  begin_at(moved, time + draw_step(d, kMostBits));
+  const auto& witness = moved.truth.witness;
+  const auto& clearance = moved.truth.clearance;
+  show(d, "case", moved);
+  CLAIM(check_truth(moved).has_value() == (!witness || witness->t >= 0));
+  if (!clearance) return;
+  CLAIM(check_clearance(moved.query, *clearance, "").has_value() == (until_of(*clearance) >= 0));
 }
 
 }  // namespace
@@ -116,6 +154,10 @@ std::vector<Property> untrue_cases_claims() {
        "What a case says of collision up to any t_max and of clear_until is accepted iff the times "
        "of its contact and of its clearance bear it",
        "src/certify/checker/check_truth.hpp", check_claims_of_case},
+      {"checker.refuses_proofs_before_start",
+       "Witness and plane of a motion are accepted of the same motion from another time on, and "
+       "refused iff what they prove comes before t = 0 then",
+       "src/certify/checker/check_witness.hpp", check_other_start},
   };
 }
 

@@ -40,9 +40,14 @@ bool has_own_shapes(Family family);
 /// A random frame; shift and drift of many bits, as large as the patches.
 Placement random_placement(Draw& draw);
 
+/// How many bits a number may have.
+struct BitRange {
+  int least = 1, most = 1;
+};
+
 /// Two patches that touch in the contact plane, each on its own side of it, and do not move yet.
-/// most_bits: of parameters.
-ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
+/// Parameters have parameter_bits bits, or what of their range is next to it.
+ContactScene touching_at(ContactClass contact, const ShapePair& shapes, BitRange of_parameters,
                          long height_unit, Draw& draw);
 /// A one-sided scene: Steps I, II and IV in one go, without solving or discarding anything. The
 /// patches touch in one point, each on its own side of the contact plane, and approach each other.

@@ -10,7 +10,7 @@ namespace {
 
 // Heights are multiples of 2^-9 times the squares of parameters, below about 2^4.
 constexpr long kBowlUnit = -9;
-constexpr int kManyBits = 12, kFewBits = 2;  // of parameters
+constexpr BitRange kManyBits = {1, 12}, kFewBits = {1, 2};  // of parameters
 
 /// A multiple of 1/8 in (0, 1).
 Dyadic time_before_one(Draw& draw) {
@@ -73,12 +73,12 @@ Placement random_placement(Draw& draw) {
   return placement;
 }
 
-ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
+ContactScene touching_at(ContactClass contact, const ShapePair& shapes, BitRange of_parameters,
                          long height_unit, Draw& draw) {
   ContactScene scene;
   for (size_t s = 0; s < 2; ++s) {
     const Shape& shape = shapes[s];
-    const int bits = std::min(most_bits, parameter_bits(shape));
+    const int bits = std::clamp(parameter_bits(shape), of_parameters.least, of_parameters.most);
     const Uv<Dyadic> at = point_on(features_of(contact)[s], shape, bits, draw);
     scene.sides[s] = flat_side(shape, at, false, draw);
     raise(scene.sides[s].points, heights_over(shape, at, ZeroSet::kPoint, height_unit, draw));

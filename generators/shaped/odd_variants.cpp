@@ -7,7 +7,7 @@ namespace ccdfuzz {
 namespace {
 
 constexpr int kDoubleBits = 53;
-constexpr int kFewParameterBits = 2;
+constexpr BitRange kFewParameterBits = {2, 2};
 constexpr long kCoarseHeightUnit = -9;
 /// Coordinates in space are below 2^10 before anything is moved or scaled: frame vectors below 2^5
 /// times numbers below 2^3 or so, three of them.

@@ -88,8 +88,8 @@ bool is_claims_folder(const std::string& path);
 struct CorpusFiles {
   std::vector<std::string> cases, claims;
 };
-/// Those of a corpus; of such a folder, which has no cases; or the path itself where it is that of
-/// a file. Errors: a folder cannot be read.
+/// Those of a corpus, or of a folder of claims, which has no cases. A path of a file is a claim if
+/// it can be read as one, and a case if not. Errors: a folder cannot be read.
 Result<CorpusFiles> cases_and_claims(const std::string& corpus);
 
 /// The find in a file. Errors: it cannot be read, or is no find.

@@ -117,8 +117,7 @@ class CaseWriter {
   std::string path_;
   CaseFileKind kind_ = CaseFileKind::kJson;
   OutputFile file_;
-  size_t piece_ =
-      0;  ///< so much is handed on at once: who reads a stream gets each case as it comes
+  size_t piece_ = 0;  ///< as much is handed on at once; of a stream each case as it comes
   std::string pending_;
   size_t written_ = 0;
   std::unique_ptr<ZSTD_CCtx_s, FreeContext> zstd_;  ///< null: it is not compressed

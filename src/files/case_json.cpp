@@ -307,7 +307,8 @@ std::optional<JsonValue> take(Origin& origin, const std::string& key) {
 }
 
 /// Version 1 has the precision and the causes among the further keys of the origin. Its cause
-/// begins with the level and the axes: "level 3, axes 1-3, left root".
+/// begins with the level and the axes: "level 3, axes 1-3, left root". One that no failure has
+/// ("not traced") goes.
 void carry_over_version_1(const JsonCursor& from, Case& value) {
   if (const auto precision = take(value.origin, "precision")) {
     const JsonCursor at = from.at("origin").at("precision");
@@ -321,7 +322,9 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
       if (error) expected.cause = error->text;
     } else if (loss) {
       const size_t comma = loss->text.rfind(", ");
-      expected.cause = comma == std::string::npos ? loss->text : loss->text.substr(comma + 2);
+      const std::string cause =
+          comma == std::string::npos ? loss->text : loss->text.substr(comma + 2);
+      if (fault_of_cause(expected.outcome, cause).empty()) expected.cause = cause;
     }
   }
 }

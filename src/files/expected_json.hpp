@@ -16,7 +16,16 @@ inline constexpr std::array<std::string_view, 9> kCauses = {
     "hull", "left root",      "right root", "both roots", "whole window",
     "mesh", "one-sided mesh", "spin",       "turn"};
 
-/// Where there is no cause, its outcome alone. An error has a cause of any name.
+/// What is wrong with such a cause beside the outcome; empty if nothing is. An error has a cause of
+/// any name.
+inline std::string fault_of_cause(Outcome outcome, const std::string& cause) {
+  if (cause.empty() || outcome == Outcome::kError) return "";
+  if (!is_failure(outcome)) return "stands beside an outcome that has no cause";
+  if (std::ranges::find(kCauses, cause) != kCauses.end()) return "";
+  return fmt::format("is none of: {}", fmt::join(kCauses, ", "));
+}
+
+/// Where there is no cause, its outcome alone.
 template <>
 struct JsonForm<Expected> {
   struct Record {
@@ -25,12 +34,8 @@ struct JsonForm<Expected> {
 
     static void fields(auto& archive, auto& record) {
       archive("outcome", record.outcome);
-      archive("cause", record.cause, [&](const std::string& cause) -> std::string {
-        if (cause.empty() || record.outcome == Outcome::kError) return "";
-        if (!is_failure(record.outcome)) return "stands beside an outcome that has no cause";
-        if (std::ranges::find(kCauses, cause) != kCauses.end()) return "";
-        return fmt::format("is none of: {}", fmt::join(kCauses, ", "));
-      });
+      archive("cause", record.cause,
+              [&](const std::string& cause) { return fault_of_cause(record.outcome, cause); });
     }
   };
 

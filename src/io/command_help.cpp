@@ -164,7 +164,9 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 std::string ended_by(const std::exception& error) {
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "there is no memory left";
+  const bool is_wrong_size = dynamic_cast<const std::bad_array_new_length*>(&error) != nullptr;
+  const bool is_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  if (is_of_memory && !is_wrong_size) return "there is no memory left";
   const bool is_refused = dynamic_cast<const std::system_error*>(&error) != nullptr;
   return fmt::format("{}: {}", is_refused ? "the system refuses" : "internal error", error.what());
 }

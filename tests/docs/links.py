@@ -46,7 +46,7 @@ def check(page):
     for path in re.findall(rf'`((?:{"|".join(map(re.escape, FOLDERS))})/[\w./*-]*)`', text):
         if not any(ROOT.glob(path)) and not re.search(r'\b[A-Z]{2,}\.|/[A-Z]{2,}$', path.replace('README.', '')):
             yield f'no {path}'
-    for name in re.findall(r'`([a-z-]+\.[a-z_*]+)`', text):
+    for name in re.findall(r'`([a-z-]+\.[A-Za-z0-9_*]+)`', text):
         group, _, ending = name.partition('.')
         if group in GROUPS and f'.{ending}' not in ENDINGS.split() and not fnmatch.filter(KNOWN, name):
             yield f'no property {name}'

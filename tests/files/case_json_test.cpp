@@ -130,8 +130,9 @@ TEST(CaseJson, VersionOneIsReadAndItsFurtherKeysAreCarriedOver) {
   std::string text = number_case("1");
   text.insert(text.rfind('}'),
               R"(,"origin":{"precision":1e-2,"label":7,"error of a":"hang",)"
-              R"("loss of b":"level 3, axes 1-3, left root","loss of c":"level 0, hull"},)"
-              R"("expect":{"a":"error","b":"missed","c":"late","d":"correct"})");
+              R"("loss of b":"level 3, axes 1-3, left root","loss of c":"level 0, hull",)"
+              R"("loss of d":"level 0, hull","loss of e":"not traced"},)"
+              R"("expect":{"a":"error","b":"missed","c":"late","d":"correct","e":"late"})");
   const auto old = parse_case(text, "c.json");
   ASSERT_TRUE(old) << old.error().message();
   EXPECT_EQ(old->asked, (Asked{.precision = 1e-2}));
@@ -139,7 +140,8 @@ TEST(CaseJson, VersionOneIsReadAndItsFurtherKeysAreCarriedOver) {
   EXPECT_EQ(old->expect, (std::map<std::string, Expected>{{"a", {Outcome::kError, "hang"}},
                                                           {"b", {Outcome::kMissed, "left root"}},
                                                           {"c", {Outcome::kLate, "hull"}},
-                                                          {"d", Outcome::kCorrect}}));
+                                                          {"d", Outcome::kCorrect},
+                                                          {"e", Outcome::kLate}}));
   const auto again = parse_case(to_json(*old), "c.json");
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_EQ(*again, *old);

@@ -25,12 +25,21 @@ done
 CCDFUZZ_NIGHT_TESTS=none timeout -s INT 4 "$work/script/night" --seconds 60 >"$work/out" 2>&1 || true
 ! grep -q 'queries drawn' "$work/out" || { cat "$work/out" && exit 1; }
 
-# SIGTERM ends what runs, too.
-CCDFUZZ_NIGHT_TESTS=none "$work/script/night" --seconds 60 >"$work/out" 2>&1 &
-night=$!
-until child=$(pgrep -P "$night" -x ccdfuzz); do kill -0 "$night" && sleep 0.1; done
-kill "$night"
-code=0
-wait "$night" || code=$?
-[ "$code" = 143 ] || { echo "after SIGTERM: exit code $code" && exit 1; }
-! kill -0 "$child" 2>/dev/null || { echo 'SIGTERM leaves a process' && kill "$child" && exit 1; }
+# So do SIGTERM and a closed terminal, with what runs.
+for signal in TERM:143 HUP:129; do
+  CCDFUZZ_NIGHT_TESTS=none "$work/script/night" --seconds 60 >"$work/out" 2>&1 &
+  night=$!
+  child=''
+  until [ -n "$child" ]; do
+    kill -0 "$night" || { cat "$work/out" && exit 1; }
+    sleep 0.1
+    for found in $(cat "/proc/$night/task/$night/children"); do
+      [ "$(cat "/proc/$found/comm")" != ccdfuzz ] || child=$found
+    done
+  done
+  kill -"${signal%:*}" "$night"
+  code=0
+  wait "$night" || code=$?
+  [ "$code" = "${signal#*:}" ] || { echo "after SIG${signal%:*}: exit code $code" && exit 1; }
+  ! kill -0 "$child" 2>/dev/null || { echo "SIG${signal%:*} leaves a process" && kill "$child" && exit 1; }
+done
