@@ -67,38 +67,6 @@ Result<Integer> parse_integer(std::string_view text) {
   return Integer(std::string(text), 10);  // without the base, a leading 0 is octal
 }
 
-/// The point of a row, which is `here`.
-Result<Vec3<Rational>> point_of(const std::vector<std::string_view>& fields,
-                                const std::string& here) {
-  Vec3<Rational> point;
-  for (size_t k = 0; k < 3; ++k) {
-    std::array<Integer, 2> parts;
-    for (size_t i = 0; i < 2; ++i) {
-      const size_t column = 2 * k + i;
-      const auto refuse = [&](const std::string& why) {
-        return input_error(here,
-                           fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
-      };
-      auto number = parse_integer(fields[column]);
-      if (!number) return refuse(number.error().what);
-      if (i == 1 && *number <= 0) return refuse(shown_text(fields[column]) + " is not > 0");
-      parts[i] = *std::move(number);
-    }
-    point[static_cast<int>(k)] = Rational(parts[0], parts[1]);
-    point[static_cast<int>(k)].canonicalize();
-  }
-  return point;
-}
-
-/// Its truth if there is a column for it.
-Result<std::optional<bool>> label_of(const std::vector<std::string_view>& fields,
-                                     const std::string& here) {
-  if (fields.size() < kColumns.size()) return std::nullopt;
-  if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
-  return input_error(
-      here, fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
-}
-
 Result<std::vector<bool>> read_truths(const std::string& path) {
   CCDFUZZ_TRY(const auto text, read_text(path, kLongestTruthList));
   CCDFUZZ_TRY(const auto tree, parse_json(text, path));
@@ -167,6 +135,35 @@ std::string CsvReader::here() const {
   return fmt::format("{}:{}", lines_.path(), lines_.line());
 }
 
+Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string_view>& fields) const {
+  Vec3<Rational> point;
+  for (size_t k = 0; k < 3; ++k) {
+    std::array<Integer, 2> parts;
+    for (size_t i = 0; i < 2; ++i) {
+      const size_t column = 2 * k + i;
+      const auto refuse = [&](const std::string& why) {
+        return input_error(here(),
+                           fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
+      };
+      auto number = parse_integer(fields[column]);
+      if (!number) return refuse(number.error().what);
+      if (i == 1 && *number <= 0) return refuse(shown_text(fields[column]) + " is not > 0");
+      parts[i] = *std::move(number);
+    }
+    point[static_cast<int>(k)] = Rational(parts[0], parts[1]);
+    point[static_cast<int>(k)].canonicalize();
+  }
+  return point;
+}
+
+/// Its truth if there is a column for it.
+Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string_view>& fields) const {
+  if (fields.size() < kColumns.size()) return std::nullopt;
+  if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
+  return input_error(
+      here(), fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
+}
+
 /// The fields of the next row; none at the end.
 Result<std::vector<std::string_view>> CsvReader::next_row() {
   for (;;) {
@@ -214,8 +211,8 @@ Result<std::optional<CsvQuery>> CsvReader::next() {
           CCDFUZZ_TRY_VOID(check_end(query.lines.size(), rows));
           return std::nullopt;
         }
-        CCDFUZZ_TRY(auto point, point_of(fields, here()));
-        CCDFUZZ_TRY(const auto label, label_of(fields, here()));
+        CCDFUZZ_TRY(auto point, point_of(fields));
+        CCDFUZZ_TRY(const auto label, label_of(fields));
         if (!query.lines.empty() && query.label != label) {
           return input_error(here(),
                              "column 7 (truth): differs from that of the query's row in line " +

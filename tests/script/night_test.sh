@@ -25,7 +25,7 @@ done
 CCDFUZZ_NIGHT_TESTS=none timeout -s INT 4 "$work/script/night" --seconds 60 >"$work/out" 2>&1 || true
 ! grep -q 'queries drawn' "$work/out" || { cat "$work/out" && exit 1; }
 
-# So do SIGTERM and a closed terminal, with what runs.
+# SIGTERM and a closed terminal end the night, and what runs.
 for signal in TERM:143 HUP:129; do
   CCDFUZZ_NIGHT_TESTS=none "$work/script/night" --seconds 60 >"$work/out" 2>&1 &
   night=$!
