@@ -11,6 +11,7 @@
 #include "certify/oracle/decide_linear.hpp"
 #include "finds/simplify.hpp"
 #include "fuzz/mutator/repair.hpp"
+#include "generators/bodies.hpp"
 
 namespace ccdfuzz {
 
@@ -69,8 +70,7 @@ class Minimiser {
       : found_(found), failure_(failure), still_fails_(still_fails), options_(options) {}
 
   Minimised run() {
-    Minimised result{found_, 0};
-    if (!start()) return result;
+    if (!start()) return {found_, 0};
     bool simpler = true;
     while (simpler && !ended()) {
       simpler = false;
@@ -80,9 +80,7 @@ class Minimiser {
         return taken;
       });
     }
-    if (improved_) result.value = as_case(best_);
-    result.trials = trials_;
-    return result;
+    return {best_case_, trials_};
   }
 
  private:
@@ -94,7 +92,12 @@ class Minimiser {
       keeps_witness_ = witnessed.has_value();
       if (witnessed) best_ = *witnessed;
       // Many contacts of linear patches come at a time that is no fraction.
-      if (!witnessed && !is_decided_linearly(found_.query)) return false;
+      const bool is_decided = is_of_bodies(found_.query) || is_decided_linearly(found_.query);
+      if (!witnessed && !is_decided) return false;
+    }
+    if (is_of_bodies(found_.query) && failure_ != Outcome::kError) {
+      const std::optional<Case> decided = case_of_bodies(found_.query);
+      if (decided) contact_ = decided->origin.contact;
     }
     rank_ = simplicity_of(best_);
     place_ = place_of(best_);
@@ -104,19 +107,33 @@ class Minimiser {
 
   bool ended() const { return trials_ >= options_.max_trials || options_.stop(); }
 
-  Case as_case(const Contact& q) const {
-    Case value;
-    if (keeps_witness_) {
-      value = case_of(q);
-    } else {
-      value.query = q.query;
+  /// The case of a query without a witness, whose truth is decided unless the failure is an error.
+  /// Nothing where that is not a truth about which methods fail so.
+  std::optional<Case> decided(const Query& query) const {
+    Case value{query, {}, {}};
+    if (failure_ == Outcome::kError) return value;
+    if (is_of_bodies(query)) {
+      const std::optional<Case> made = case_of_bodies(query);
+      const bool goes_nowhere = query.t_max == 0 && found_.query.t_max > 0;  // a cast
+      if (!made || made->origin.contact != contact_ || goes_nowhere) return std::nullopt;
+      value = *made;
+    } else if (is_decided_linearly(query)) {
       // Linear patches alone always have a proof, and it needs no file beside the case.
-      if (failure_ != Outcome::kError && is_decided_linearly(q.query)) {
-        value.truth = decide_linear(q.query, {}).truth;
-      }
+      value.truth = decide_linear(query, {}).truth;
     }
-    value.origin = found_.origin;
-    value.asked = found_.asked;
+    if (value.truth.collides != is_false_negative(failure_)) return std::nullopt;
+    // What is missed at a time that is no fraction is missed inside.
+    const std::optional<Witness>& simple = value.truth.witness;
+    return !simple || is_inside(*simple, query) ? std::optional(value) : std::nullopt;
+  }
+
+  std::optional<Case> as_case(const Contact& q) const {
+    std::optional<Case> value = keeps_witness_ ? case_of(q) : decided(q.query);
+    if (!value || (keeps_witness_ && !check_witness(q.query, *value->truth.witness))) {
+      return std::nullopt;
+    }
+    value->origin = found_.origin;
+    value->asked = found_.asked;
     return value;
   }
 
@@ -142,22 +159,15 @@ class Minimiser {
 
   bool take(const Contact& form) {
     for (auto& [rank, whole] : whole_forms(form)) {
-      const Case value = as_case(whole);
-      if (keeps_witness_ && !check_witness(value.query, *value.truth.witness)) continue;
-      if (!keeps_witness_ && failure_ != Outcome::kError &&
-          value.truth.collides != is_false_negative(failure_)) {
-        continue;
-      }
-      // What is missed at a time that is no fraction is missed inside.
-      const std::optional<Witness>& simple = value.truth.witness;
-      if (!keeps_witness_ && simple && !is_inside(*simple, value.query)) continue;
-      if (are_floats_ && !is_binary32(value.query)) continue;
+      if (are_floats_ && !is_binary32(whole.query)) continue;
+      std::optional<Case> value = as_case(whole);
+      if (!value) continue;
       if (ended()) return false;
       ++trials_;
-      if (!still_fails_(value)) continue;
+      if (!still_fails_(*value)) continue;
       best_ = std::move(whole);
+      best_case_ = *std::move(value);
       rank_ = rank;
-      improved_ = true;
       return true;
     }
     return false;
@@ -168,11 +178,12 @@ class Minimiser {
   const std::function<bool(const Case&)>& still_fails_;
   const MinimiseOptions& options_;
   Contact best_;
+  Case best_case_ = found_;
   Simplicity rank_;
   ContactPlace place_;
+  std::string contact_;  ///< its class, as case_of_bodies tells it
   bool keeps_witness_ = false;
   bool are_floats_ = false;
-  bool improved_ = false;
   std::uint64_t trials_ = 0;
 };
 
@@ -192,7 +203,6 @@ double relative_depth(const Failure& failure, const Case& value, Asker& asker) {
 Minimised minimise(const Case& found, Outcome failure,
                    const std::function<bool(const Case&)>& still_fails,
                    const MinimiseOptions& options) {
-  if (is_of_bodies(found.query)) return minimise_bodies(found, failure, still_fails, options);
   return Minimiser(found, failure, still_fails, options).run();
 }
 

@@ -29,7 +29,8 @@ struct Minimised {
 ///                   unless it was. Without one, linear patches that are decided to touch, inside
 ///   false_positive  nothing touches in [0, t_max] by certificate L, so the patches are linear
 ///   error           nothing; the result has no truth
-/// A query whose numbers are all floats stays one; for bodies see minimise_bodies.
+/// The truth of bodies is decided exactly each time (case_of_bodies); the class of the contact that
+/// this says stays. A query whose numbers are all floats stays one.
 /// A case of which that cannot be made to hold comes back as it is. Never less simple than `found`.
 /// Deterministic, except for stop.
 Minimised minimise(const Case& found, Outcome failure,
@@ -42,12 +43,5 @@ Minimised minimise(const Case& found, Outcome failure,
 /// made, since each costs all of its time.
 Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
                    MinimiseOptions options = {});
-
-/// The first for a case of bodies: fewer points, no radius, one that rests, about the origin, fewer
-/// significant bits. Its truth is decided exactly each time (case_of_bodies); what that
-/// says of the class of the contact stays. Numbers that are all floats stay so.
-Minimised minimise_bodies(const Case& found, Outcome failure,
-                          const std::function<bool(const Case&)>& still_fails,
-                          const MinimiseOptions& options);
 
 }  // namespace ccdfuzz

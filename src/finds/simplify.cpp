@@ -14,9 +14,18 @@ namespace ccdfuzz {
 
 namespace {
 
-using Offer = std::function<bool(const Contact&)>;
+/// How many significant bits are tried.
+constexpr std::array kBits = {0, 1, 2, 3, 5, 8, 12, 18, 26};
 
 constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
+
+/// x with at most `bits` significant bits, rounded; 0 with none.
+double with_bits(double x, int bits) {
+  if (bits == 0 || x == 0) return 0;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::round(std::ldexp(fraction, bits)), exponent - bits);
+}
 
 std::uint64_t bits_of(const Dyadic& x) {
   return x.sign() == 0 ? 0 : mpz_sizeinbase(x.mantissa().get_mpz_t(), 2);
@@ -44,21 +53,15 @@ std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) 
   return point;
 }
 
-/// The patch of another shape of the same kind whose control points are those of this one that lie
-/// nearest in the net.
-MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
-  const Shape& from = patch.shape;
+/// A patch of another shape of control points of this one: point (i, j) is its point at(i, j).
+MovingPatch<double> picked(const MovingPatch<double>& patch, const Shape& to, const auto& at) {
   MovingPatch<double> out{to, {}, {}};
-  const auto at = [](int i, int n, int m) { return m == 0 ? 0 : (i * n + m / 2) / m; };
   for (int i = 0; i <= to.n; ++i) {
     const int last = to.kind == ShapeKind::kTriangle ? to.n - i
                      : to.kind == ShapeKind::kTensor ? to.m
                                                      : 0;
     for (int j = 0; j <= last; ++j) {
-      const int from_i = at(i, from.n, to.n);
-      int from_j = to.kind == ShapeKind::kTensor ? at(j, from.m, to.m) : at(j, from.n, to.n);
-      if (to.kind == ShapeKind::kTriangle) from_j = std::min(from_j, from.n - from_i);
-      const auto index = static_cast<std::size_t>(from.index(from_i, from_j));
+      const auto index = static_cast<std::size_t>(at(i, j));
       out.positions.push_back(patch.positions[index]);
       (patch.has_ends() ? out.ends : out.velocities).push_back(patch.moves()[index]);
       if (!patch.weights.empty()) out.weights.push_back(patch.weights[index]);
@@ -67,57 +70,44 @@ MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
   return out;
 }
 
-/// No weights, or equal ones; powers of two; of few bits.
+/// The patch of another shape of the same kind whose control points are those of this one that lie
+/// nearest in the net.
+MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
+  const Shape& from = patch.shape;
+  const auto at = [](int i, int n, int m) { return m == 0 ? 0 : (i * n + m / 2) / m; };
+  return picked(patch, to, [&](int i, int j) {
+    const int from_i = at(i, from.n, to.n);
+    if (to.kind == ShapeKind::kTensor) return from.index(from_i, at(j, from.m, to.m));
+    const int from_j = at(j, from.n, to.n);
+    return from.index(from_i,
+                      to.kind == ShapeKind::kTriangle ? std::min(from_j, from.n - from_i) : from_j);
+  });
+}
+
+/// No weights, or equal ones.
 void offer_weights(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
-    const auto with = [&](const auto& changed) {
-      Contact next = q;
-      std::vector<double>& weights = next.query.patches[side].weights;
-      changed(weights);
-      return weights == q.query.patches[side].weights || offer(next);
+    const auto weights = [side](Query & next) -> auto& {
+      return next.patches[side].weights;
     };
-    if (q.query.patches[side].weights.empty()) continue;
-    if (with([](auto& weights) { weights.clear(); })) continue;
-    if (with([](auto& weights) { std::ranges::fill(weights, 1); })) continue;
-    for (const int bits : {1, 2, 3, 8}) {
-      const auto cut = [bits](auto& weights) {
-        for (double& w : weights) w = with_bits(w, bits, std::trunc);
-      };
-      if (with(cut)) break;
-    }
-    for (std::size_t i = 0; i < q.query.patches[side].weights.size(); ++i) {
-      for (const double w : {1.0, 2.0, 0.5}) {
-        if (with([&](auto& weights) { weights[i] = w; })) break;
-      }
-    }
+    if (offer_changed(q, offer, [&](Query& next) { weights(next).clear(); })) continue;
+    offer_changed(q, offer, [&](Query& next) { std::ranges::fill(weights(next), 1); });
   }
 }
 
-/// No trim; a loop less; a vertex less; vertices of few bits.
+/// No trim; a loop less; a vertex less.
 void offer_trims(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
-    const Trim& now = q.query.patches[side].trim;
-    const auto with = [&](const auto& changed) {
-      Contact next = q;
-      changed(next.query.patches[side].trim);
-      return next.query.patches[side].trim == now || offer(next);
+    const auto trim = [side](Query& next) -> Trim& { return next.patches[side].trim; };
+    const auto without = [](auto& items, std::size_t i) {
+      items.erase(items.begin() + static_cast<std::ptrdiff_t>(i));
     };
-    if (now.empty() || with([](Trim& trim) { trim.clear(); })) continue;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      if (with([i](Trim& trim) { trim.erase(trim.begin() + static_cast<std::ptrdiff_t>(i)); })) {
-        break;
-      }
-      for (std::size_t j = 0; j < now[i].size(); ++j) {
-        const auto drop = [&](Trim& trim) {
-          trim[i].erase(trim[i].begin() + static_cast<std::ptrdiff_t>(j));
-        };
-        if (with(drop)) return;  // places are others now
-        for (const int bits : {1, 2, 3, 8}) {
-          const auto cut = [&](Trim& trim) {
-            for (double& x : trim[i][j]) x = with_bits(x, bits, std::trunc);
-          };
-          if (with(cut)) break;
-        }
+    if (offer_changed(q, offer, [&](Query& next) { trim(next).clear(); })) continue;
+    const Trim& now = q.query.patches[side].trim;
+    for (std::size_t i = now.size(); i-- > 0;) {
+      if (offer_changed(q, offer, [&](Query& next) { without(trim(next), i); })) continue;
+      for (std::size_t j = now[i].size(); j-- > 0;) {
+        offer_changed(q, offer, [&](Query& next) { without(trim(next)[i], j); });
       }
     }
   }
@@ -125,23 +115,18 @@ void offer_trims(const Contact& q, const Offer& offer) {
 
 /// Velocities in place of ends, where the motion stays the same.
 void offer_velocities(const Contact& q, const Offer& offer) {
-  if (!has_ends(q.query)) return;
-  if (const std::optional<Query> query = with_velocities(q.query)) {
-    Contact next = q;
-    next.query = *query;
-    offer(next);
-  }
+  const auto query = has_ends(q.query) ? with_velocities(q.query) : std::nullopt;
+  if (query) offer_changed(q, offer, [&](Query& next) { next = *query; });
 }
 
 void offer_shapes(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
-    if (const auto point = as_point(q, side)) {
-      if (q.query.patches[side].shape.kind != ShapeKind::kPoint) {
-        Contact next = q;
-        next.query.patches[side] = *point;
-        next.uv[side] = {Dyadic(), Dyadic()};
-        if (offer(next)) continue;
-      }
+    const auto point = as_point(q, side);
+    if (point && q.query.patches[side].shape.kind != ShapeKind::kPoint) {
+      Contact next = q;
+      next.query.patches[side] = *point;
+      next.uv[side] = {Dyadic(), Dyadic()};
+      if (offer(next)) continue;
     }
     // An edge of it, as a curve; the contact stays where it lies on one.
     const Shape shape = q.query.patches[side].shape;
@@ -149,16 +134,9 @@ void offer_shapes(const Contact& q, const Offer& offer) {
       for (const bool along_u : {true, false}) {
         const int degree = along_u || shape.kind == ShapeKind::kTriangle ? shape.n : shape.m;
         Contact next = q;
-        MovingPatch<double>& curve = next.query.patches[side];
-        const MovingPatch<double>& patch = q.query.patches[side];
-        curve = {Shape::curve(degree), {}, {}};
-        for (int i = 0; i <= degree; ++i) {
-          const auto index =
-              static_cast<std::size_t>(along_u ? shape.index(i, 0) : shape.index(0, i));
-          curve.positions.push_back(patch.positions[index]);
-          (patch.has_ends() ? curve.ends : curve.velocities).push_back(patch.moves()[index]);
-          if (!patch.weights.empty()) curve.weights.push_back(patch.weights[index]);
-        }
+        next.query.patches[side] =
+            picked(q.query.patches[side], Shape::curve(degree),
+                   [&](int i, int) { return along_u ? shape.index(i, 0) : shape.index(0, i); });
         next.uv[side] = {q.uv[side][along_u ? 0 : 1], Dyadic()};
         if (offer(next)) break;
       }
@@ -166,13 +144,14 @@ void offer_shapes(const Contact& q, const Offer& offer) {
     for (int degree = 1;
          degree < std::max(q.query.patches[side].shape.n, q.query.patches[side].shape.m);
          ++degree) {
-      const MovingPatch<double>& patch = q.query.patches[side];
-      Shape lower = patch.shape;
-      lower.n = std::min(lower.n, degree);
-      lower.m = std::min(lower.m, degree);
-      Contact next = q;
-      next.query.patches[side] = thinned(patch, lower);
-      if (offer(next)) break;
+      const bool taken = offer_changed(q, offer, [&](Query& next) {
+        MovingPatch<double>& patch = next.patches[side];
+        Shape lower = patch.shape;
+        lower.n = std::min(lower.n, degree);
+        lower.m = std::min(lower.m, degree);
+        patch = thinned(patch, lower);
+      });
+      if (taken) break;
     }
   }
 }
@@ -219,29 +198,14 @@ void offer_units(const Contact& q, const Offer& offer) {
   }
 }
 
-/// None, or of few bits.
-void offer_separations(const Contact& q, const Offer& offer) {
-  for (const int bits : {0, 1, 3, 8}) {
-    Contact next = q;
-    next.query.separation = with_bits(q.query.separation, bits, std::trunc);
-    if (next.query.separation == q.query.separation || offer(next)) return;
-  }
-}
-
 void offer_times(const Contact& q, const Offer& offer) {
-  Contact next = q;
-  if (const auto t = q.t.to_double_exactly()) {
-    next.query.t_max = *t;
-    offer(next);
-  }
-  for (const double t_max : {1.0, with_bits(q.query.t_max, 1, std::trunc) * 2}) {
-    next = q;
-    next.query.t_max = t_max;
-    offer(next);
+  const double contact = q.t.to_double_exactly().value_or(q.query.t_max);
+  for (const double t_max : {contact, 1.0, with_bits(q.query.t_max, 1) * 2}) {
+    offer_changed(q, offer, [&](Query& next) { next.t_max = t_max; });
   }
   // The contact at a simpler time and place; where that breaks it, it is repaired.
   for (const double t : {0.0, 1.0, 0.5}) {
-    next = q;
+    Contact next = q;
     next.t = Dyadic::exact(t);
     offer(next);
   }
@@ -253,7 +217,7 @@ void offer_times(const Contact& q, const Offer& offer) {
         if (shape.kind == ShapeKind::kPoint || (shape.kind == ShapeKind::kTriangle && u + v > 1)) {
           continue;
         }
-        next = q;
+        Contact next = q;
         next.uv[side] = {Dyadic::exact(u), Dyadic::exact(v)};
         offer(next);
       }
@@ -261,62 +225,71 @@ void offer_times(const Contact& q, const Offer& offer) {
   }
 }
 
-/// All numbers of few bits; all velocities of a patch 0, or all equal; all positions.
+/// All velocities of a patch 0, or all equal; all positions.
 void offer_wholesale(const Contact& q, const Offer& offer) {
-  for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
-    Contact next = q;
-    for (MovingPatch<double>& patch : next.query.patches) {
-      for_each_coordinate(patch, [bits](double& x) { x = with_bits(x, bits, std::trunc); });
-    }
-    if (offer(next)) break;
-  }
   for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
     for (const std::size_t side : kSides) {
-      for (const bool to_zero : {true, false}) {
-        Contact next = q;
-        Points<double>& points = array(next.query.patches[side]);
-        const Vec3<double> value = to_zero ? Vec3<double>{0, 0, 0} : points[0];
-        for (Vec3<double>& p : points) p = value;
-        if (offer(next)) break;
-      }
+      const auto points = [&](Query & next) -> auto& {
+        return array(next.patches[side]);
+      };
+      const auto all = [&](bool to_zero) {
+        return offer_changed(q, offer, [&](Query& next) {
+          const Vec3<double> value = to_zero ? Vec3<double>{0, 0, 0} : points(next)[0];
+          std::ranges::fill(points(next), value);
+        });
+      };
+      if (!all(true)) all(false);
       for (int k = 0; k < 3; ++k) {
-        Contact next = q;
-        for (Vec3<double>& p : array(next.query.patches[side])) p[k] = 0;
-        offer(next);
+        offer_changed(q, offer, [&](Query& next) {
+          for (Vec3<double>& p : points(next)) p[k] = 0;
+        });
       }
     }
   }
 }
 
+/// A control point at the place of the first or of the one before; at the origin; at rest.
 void offer_point_by_point(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
     for (std::size_t i = 0; i < q.query.patches[side].positions.size(); ++i) {
       for (const std::size_t other : {std::size_t{0}, i == 0 ? std::size_t{0} : i - 1}) {
-        if (other == i) continue;
-        Contact next = q;
-        MovingPatch<double>& patch = next.query.patches[side];
-        patch.positions[i] = patch.positions[other];
-        patch.moves()[i] = patch.moves()[other];
-        if (offer(next)) break;
+        const bool taken = offer_changed(q, offer, [&](Query& next) {
+          MovingPatch<double>& patch = next.patches[side];
+          patch.positions[i] = patch.positions[other];
+          patch.moves()[i] = patch.moves()[other];
+        });
+        if (taken) break;
       }
       for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
-        Contact next = q;
-        array(next.query.patches[side])[i] = {0, 0, 0};
-        if (offer(next)) continue;
-        for (int k = 0; k < 3; ++k) {
-          const auto number = [&](Contact& of) -> double& {
-            return array(of.query.patches[side])[i][k];
-          };
-          next = q;
-          const auto now = static_cast<int>(bits_of(Dyadic::exact(number(next))));
-          if (now == 0) continue;
-          for (int bits = 0; bits < now; bits = bits < 2 ? bits + 1 : bits * 2) {
-            next = q;
-            number(next) = with_bits(number(next), bits, std::trunc);
-            if (offer(next)) break;
-          }
-        }
+        offer_changed(q, offer, [&](Query& next) { array(next.patches[side])[i] = {0, 0, 0}; });
       }
+    }
+  }
+}
+
+/// Numbers of few bits: all of the patches.
+void offer_rounded(const Contact& q, const Offer& offer) {
+  for (const int bits : kBits) {
+    const bool taken = offer_changed(q, offer, [&](Query& next) {
+      for (MovingPatch<double>& patch : next.patches) {
+        for_each_number(patch, [&](double& x) { x = with_bits(x, bits); });
+      }
+    });
+    if (taken) break;
+  }
+}
+
+/// Each number of few bits.
+void offer_numbers(const Contact& q, const Offer& offer) {
+  bool is_there = true;
+  for (std::size_t i = 0; is_there; ++i) {
+    for (const int bits : kBits) {
+      const bool taken = offer_changed(q, offer, [&](Query& next) {
+        std::size_t at = 0;
+        for_each_number(next, [&](double& x) { x = at++ == i ? with_bits(x, bits) : x; });
+        is_there = i < at;
+      });
+      if (taken) break;
     }
   }
 }
@@ -331,7 +304,8 @@ Simplicity simplicity_of(const Contact& q) {
   for (const MovingPatch<double>& patch : q.query.patches) {
     std::set<std::array<double, 6>> different;
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      const Vec3<double>&p = patch.positions[i], &v = patch.moves()[i];
+      const Vec3<double>&p = patch.positions[i],
+            &v = patch.moves()[patch.moves().size() > 1 ? i : 0];
       different.insert({p[0], p[1], p[2], v[0], v[1], v[2]});
     }
     // The number of control points counts, too: fewer are simpler even where they coincide.
@@ -340,6 +314,7 @@ Simplicity simplicity_of(const Contact& q) {
     s.different_points += patch.has_ends() ? 32 : 0;
     s.different_points += patch.weights.empty() ? 0 : 32;
     for (const auto& loop : patch.trim) s.different_points += 32 + loop.size();
+    s.different_points += patch.faces.size() + (patch.one_sided ? 1 : 0);
     for_each_coordinate(patch, [&](double x) {
       if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
     });
@@ -348,15 +323,21 @@ Simplicity simplicity_of(const Contact& q) {
 }
 
 void offer_simpler(const Contact& current, const Offer& offer) {
-  offer_velocities(current, offer);
-  offer_trims(current, offer);
-  offer_weights(current, offer);
-  offer_shapes(current, offer);
-  offer_wholesale(current, offer);
-  offer_separations(current, offer);
-  offer_times(current, offer);
-  offer_units(current, offer);
-  offer_point_by_point(current, offer);
+  if (is_of_bodies(current.query)) {
+    offer_simpler_bodies(current, offer);
+    offer_rounded(current, offer);
+  } else {
+    offer_velocities(current, offer);
+    offer_trims(current, offer);
+    offer_weights(current, offer);
+    offer_shapes(current, offer);
+    offer_rounded(current, offer);
+    offer_wholesale(current, offer);
+    offer_times(current, offer);
+    offer_units(current, offer);
+    offer_point_by_point(current, offer);
+  }
+  offer_numbers(current, offer);
 }
 
 }  // namespace ccdfuzz

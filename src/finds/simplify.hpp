@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <compare>
 #include <functional>
 
@@ -14,25 +13,29 @@ namespace ccdfuzz {
 struct Simplicity {
   CaseSize size;
   std::uint64_t witness_bits = 0;      ///< in t and uv
-  std::uint64_t different_points = 0;  ///< control points that differ in position or velocity
+  std::uint64_t different_points = 0;  ///< and what else a query has more or less of, such as faces
   std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates
   friend auto operator<=>(const Simplicity&, const Simplicity&) = default;
 };
 
 Simplicity simplicity_of(const Contact& q);
 
-/// Offers simpler forms of a query, the boldest first; the contact may be broken in them. `offer`
-/// returns whether the form was taken: then the next ones start from what the reference holds.
-/// One round through all kinds of simplification; a second one may do more.
-void offer_simpler(const Contact& current, const std::function<bool(const Contact&)>& offer);
+/// Gets a simpler form. Returns whether it was taken: then what is offered next starts from it.
+using Offer = std::function<bool(const Contact&)>;
 
-/// x with at most `bits` significant bits; 0 with none. to_whole rounds to a whole number:
-/// std::trunc towards 0, std::round to the nearest.
-inline double with_bits(double x, int bits, double (*to_whole)(double)) {
-  if (bits == 0 || x == 0) return 0;
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return std::ldexp(to_whole(std::ldexp(fraction, bits)), exponent - bits);
+/// Offers the query as `change` leaves it, if that is another. Returns whether it was taken.
+bool offer_changed(const Contact& q, const Offer& offer, const auto& change) {
+  Contact next = q;
+  change(next.query);
+  return next.query != q.query && offer(next);
 }
+
+/// Offers simpler forms of a query, the boldest first; the contact may be broken in them. `offer`
+/// puts the form that it takes where the reference stands. One round through all kinds of
+/// simplification; a second one may do more.
+void offer_simpler(const Contact& current, const Offer& offer);
+/// The part of that which is for bodies alone: fewer faces and points, no turn, one that rests,
+/// about the origin.
+void offer_simpler_bodies(const Contact& current, const Offer& offer);
 
 }  // namespace ccdfuzz
