@@ -19,13 +19,6 @@ namespace {
   std::exit(2);
 }
 
-[[noreturn]] void serve_method(const std::string& spec, const Served& served, double cpu_seconds) {
-  const auto method = served.make(spec);
-  if (!method) refuse(method.error().message());
-  serve_lines([&](const std::string& question) { return served_answer(spec, **method, question); },
-              cpu_seconds);
-}
-
 }  // namespace
 
 void serve_if_asked(int argc, char** argv, const Served& served) {
@@ -37,16 +30,17 @@ void serve_if_asked(int argc, char** argv, const Served& served) {
     cpu_seconds = std::strtod(words[1].c_str(), nullptr);
     words.erase(words.begin(), words.begin() + 2);
   }
-  if (words.size() == 1 && words[0] == "--claims") {
+  if (words.size() != 1) refuse("needs METHOD, --claims or --triage");
+  const std::string& what = words[0];
+  if (what == "--triage") serve_lines(served.errand, cpu_seconds);
+  if (what == "--claims") {
     serve_lines([&](const std::string& question) { return served_check(served.claims, question); },
                 cpu_seconds);
   }
-  if (words.size() == 1 && words[0] == "--triage") {
-    serve_lines([&](const std::string& question) { return served.errands.done(question); },
-                cpu_seconds);
-  }
-  if (words.size() == 1) serve_method(words[0], served, cpu_seconds);
-  refuse("needs METHOD, --claims or --triage");
+  const auto method = served.make(what);
+  if (!method) refuse(method.error().message());
+  serve_lines([&](const std::string& question) { return served_answer(what, **method, question); },
+              cpu_seconds);
 }
 
 }  // namespace ccdfuzz

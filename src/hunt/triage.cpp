@@ -31,18 +31,6 @@ struct Errand {
   }
 };
 
-}  // namespace
-
-struct TriageErrands::Told {
-  std::string text;
-  std::optional<Case> decided;
-
-  static void fields(auto& archive, auto& told) {
-    archive.optional("text", told.text);
-    archive.optional("decided", told.decided);
-  }
-};
-
 Case decided_with_little_effort(const Case& candidate) {
   OracleOptions little;
   little.max_pops = kEnoughPops;
@@ -75,6 +63,26 @@ std::string refutation_by_sound_methods(const Case& known) {
     return why.what();
   }
   return "";
+}
+
+}  // namespace
+
+struct Triage::Told {
+  std::string text;
+  std::optional<Case> decided;
+
+  static void fields(auto& archive, auto& told) {
+    archive.optional("text", told.text);
+    archive.optional("decided", told.decided);
+  }
+};
+
+std::string served_errand(const std::string& question) {
+  const auto [name, method, value] = value_or_throw(from_json<Errand>(question, "the question"));
+  if (name == "decide") return to_json(Triage::Told{"", decided_with_little_effort(value)});
+  if (name == "refute") return to_json(Triage::Told{refutation_by_sound_methods(value), {}});
+  TracerSet tracers;
+  return to_json(Triage::Told{cause_of_loss(method, value, tracers), {}});
 }
 
 Triage::Triage(Store& store, TriageOptions options)
@@ -139,16 +147,8 @@ Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
   return intake_.store_all().map([&] { return std::optional(std::move(find)); });
 }
 
-std::string TriageErrands::done(const std::string& question) const {
-  const auto [name, method, value] = from_json<Errand>(question, "the question").value();
-  if (name == "decide") return to_json(Told{"", decide(value)});
-  if (name == "refute") return to_json(Told{refute(value), {}});
-  TracerSet tracers;
-  return to_json(Told{cause_of_loss(method, value, tracers), {}});
-}
-
-tl::expected<TriageErrands::Told, Fault> Triage::told(const char* errand, const Case& value,
-                                                      const std::string& method) {
+tl::expected<Triage::Told, Fault> Triage::told(const char* errand, const Case& value,
+                                               const std::string& method) {
   if (!errands_) {
     errands_.emplace(value_or_throw(served_child(options_.errands, kServedLimits)));
   }

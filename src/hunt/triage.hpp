@@ -12,26 +12,6 @@
 
 namespace ccdfuzz {
 
-/// With the oracle's truth, and the class of its contact.
-Case decided_with_little_effort(const Case& candidate);
-
-/// How the methods that miss nothing, or the oracle, are refuted by a case where a full run of
-/// theirs need not be. The witness trace of one loses the contact, which another box may save; a
-/// coarse search misses it; or the checker refuses the oracle's certificate. Empty: they are not.
-std::string refutation_by_sound_methods(const Case& known);
-
-/// The steps of a triage that run in a child, since they may crash or hang.
-struct TriageErrands {
-  /// The truth of a case that has none, as far as little effort gives one.
-  std::function<Case(const Case&)> decide = decided_with_little_effort;
-  /// What on a case refutes the claims that fuzz targets stop on, besides full runs.
-  std::function<std::string(const Case&)> refute = refutation_by_sound_methods;
-
-  struct Told;
-  /// The answer to a line of Triage.
-  std::string done(const std::string& question) const;
-};
-
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
@@ -39,7 +19,7 @@ struct TriageOptions {
   /// True ends shrinking, and asking before the next method.
   std::function<bool()> stop = [] { return false; };
   MethodSet::Make make = make_served_method;
-  /// Arguments of serve, of a child that has TriageErrands.
+  /// Arguments of serve, of a child that answers as served_errand.
   std::vector<std::string> errands = {"--triage"};
   /// Called for an input on which the oracle fails, but not as a method; and for a refutation.
   std::function<void(const std::string&)> warn = [](const std::string&) {};
@@ -86,10 +66,11 @@ class Triage {
 
   Asker make_asker();
   /// What a child says of a case, or what it did instead. method: of a loss.
-  using Told = TriageErrands::Told;
+  struct Told;
+  friend std::string served_errand(const std::string& question);
   tl::expected<Told, Fault> told(const char* errand, const Case& value,
                                  const std::string& method = "");
-  /// TriageErrands::decide of a case without truth, or what it did instead.
+  /// A case without truth as the oracle decides it, or what it did instead.
   tl::expected<Case, Fault> with_truth(const Case& candidate);
   /// The failure in the form whose setting convinces most; nothing if it fails in none.
   std::optional<Confirmed> confirm(const std::string& method, const Case& known);
@@ -102,5 +83,12 @@ class Triage {
   Intake intake_;
   std::optional<Child> errands_;
 };
+
+/// The answer of a child to a line of Triage, about a step that may crash or hang. To "decide": the
+/// truth of a case, as far as little effort gives one. To "loss": the cause that lost its contact.
+/// To "refute": how a case refutes the methods that miss nothing, or the oracle, where a full run
+/// of theirs does not. The witness trace of one loses the contact, which another box may save; a
+/// coarse search misses it; or the checker refuses the oracle's certificate. Empty: it does not.
+std::string served_errand(const std::string& question);
 
 }  // namespace ccdfuzz
