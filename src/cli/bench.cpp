@@ -148,7 +148,7 @@ void print_races(const ClassRaces& races, const BenchOptions& options) {
                   "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
                   "Medians, pops and undecided queries: --json\n"
                   "{} a class and method; CPU time of one thread, the methods by turns\n",
-                  options.methods.front(), mark_note(options.methods), options.search.max_pops,
+                  options.methods.front(), mark_note(options.methods), *options.search.max_pops,
                   counted(2 * options.count, "query", "queries")));
 }
 
@@ -169,7 +169,7 @@ int run_bench(const BenchOptions& options, Session& session) {
                               done, "queries");
       return !interrupted;
     });
-    if (session.json) print_rows(contact, race, options.search.max_pops);
+    if (session.json) print_rows(contact, race, *options.search.max_pops);
     if (interrupted) break;
   }
   session.progress().clear();

@@ -257,7 +257,7 @@ int check_choices(const CheckArguments& options, Session& session) {
     if (!session.json) print_out(fmt::format("saved: {}\n", saved.path));
   }
   if (check.status == Check::Status::kDiscarded) {
-    print_err("ccdfuzz: check: nothing was checked: the input was discarded\n");
+    session.remark("nothing was checked: the input was discarded");
     return kCheckFailed;
   }
   return fails && !known_false ? kCheckFailed : kDone;
@@ -313,8 +313,7 @@ int run_check(const CheckArguments& options, Session& session) {
                             findings,
                             expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
   if (interrupted) {
-    print_err(fmt::format("ccdfuzz: check: interrupted: {} of {} properties begun\n", done,
-                          chosen.size()));
+    session.remark("interrupted: {} of {} properties begun", done, chosen.size());
   }
   return session.exit_code(findings + unchecked > 0 ? kCheckFailed : kDone);
 }

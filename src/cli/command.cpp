@@ -169,11 +169,6 @@ Option& Option::needs(const Option& other) {
   return *this;
 }
 
-Option& Option::without_default() {
-  option_->default_str("");
-  return *this;
-}
-
 Option& Option::in(const char* group) {
   option_->group(group);
   return *this;
@@ -375,6 +370,7 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     print_err(app_->help());
     return complain("no command given", kBadInput);
   }
+  session_->command = chosen_name(*app_);
   session_->asked = asked_of(*app_->get_subcommands().front());
   int code = kDone;
   std::optional<InputError> error;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -61,8 +62,6 @@ class Option {
   Option& required();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
-  /// Help does not show the value that it has without the option.
-  Option& without_default();
   /// In which group help shows it.
   Option& in(const char* group);
 
@@ -89,16 +88,15 @@ class Command {
                const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);
   /// A whole number of [least, most], in decimal (parse_whole).
-  template <class N>
+  template <std::integral N>
   Option whole(const std::string& name, N& value, const std::string& description,
                std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
-    return add_text(
-        name + " N", description, std::to_string(value),
-        [&value, least, most](const std::string& where, const std::string& text) {
-          return parse_whole_in(where, text, least, most).map([&](std::uint64_t number) {
-            value = static_cast<N>(number);
-          });
-        });
+    return add_whole<N>(name, value, description, std::to_string(value), least, most);
+  }
+  template <std::integral N>
+  Option whole(const std::string& name, std::optional<N>& value, const std::string& description,
+               std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
+    return add_whole<N>(name, value, description, value ? std::to_string(*value) : "", least, most);
   }
 
   /// The value that parse(where, text) makes of the text; where is the option's name.
@@ -134,6 +132,17 @@ class Command {
  private:
   friend class CommandLine;
   Command(CLI::App* app, Session& session) : app_(app), session_(&session) {}
+  template <class N>
+  Option add_whole(const std::string& name, auto& value, const std::string& description,
+                   const std::string& standard, std::uint64_t least, std::uint64_t most) {
+    return add_text(
+        name + " N", description, standard,
+        [&value, least, most](const std::string& where, const std::string& text) {
+          return parse_whole_in(where, text, least, most).map([&](std::uint64_t number) {
+            value = static_cast<N>(number);
+          });
+        });
+  }
   Option add_text(
       const std::string& name, const std::string& description, const std::string& standard,
       std::function<Result<void>(const std::string& where, const std::string& text)> take);

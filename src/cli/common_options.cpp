@@ -7,7 +7,7 @@
 #include "base/number_text.hpp"
 #include "base/text.hpp"
 #include "certify/checker/check_case.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
@@ -91,16 +91,9 @@ Option SearchFlags::add_precision_to(Command& command) {
       .in("Limits");
 }
 
-void SearchFlags::add_to(Command& command) {
-  add_precision_to(command);
-  add_budget_to(command);
-}
-
-std::vector<Option> SearchFlags::add_with_default_budget_to(Command& command) {
-  max_pops = 0;
+std::vector<Option> SearchFlags::add_to(Command& command) {
   const Option of_precision = add_precision_to(command);
   std::vector<Option> all = add_budget_to(command);
-  all.front().without_default();
   all.push_back(of_precision);
   return all;
 }
@@ -117,8 +110,8 @@ std::vector<Option> SearchFlags::add_budget_to(Command& command) {
 
 SearchOptions SearchFlags::options() const {
   SearchOptions options;
-  if (precision) options.precision = *precision;
-  if (max_pops != 0) options.max_pops = max_pops;
+  options.precision = precision.value_or(options.precision);
+  options.max_pops = max_pops.value_or(options.max_pops);
   options.max_seconds = max_seconds;
   return options;
 }
@@ -191,22 +184,21 @@ void CaseCount::add(const Case& value) {
   }
 }
 
-void CaseCount::note(const char* command) const {
+void CaseCount::note(Session& session) const {
   if (by_word > 0) {
-    print_err(fmt::format(
-        "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome "
-        "is unknown (`ccdfuzz prove` gives proofs)\n",
-        command, by_word, cases));
+    session.remark(
+        "{} of {} cases have no contact by the word of a method alone: their outcome is unknown "
+        "(`ccdfuzz prove` gives proofs)",
+        by_word, cases);
   }
   if (rounded > 0) {
-    print_err(fmt::format("ccdfuzz: {}: {} numbers of {} queries are no doubles and were rounded\n",
-                          command, rounded, rounded_cases));
+    session.remark("{} numbers of {} queries are no doubles and were rounded", rounded,
+                   rounded_cases);
   }
   if (wrong_labels > 0) {
-    print_err(
-        fmt::format("ccdfuzz: {}: {} of {} labels are not the truth of what was asked "
-                    "(`ccdfuzz import` lists them)\n",
-                    command, wrong_labels, labels));
+    session.remark(
+        "{} of {} labels are not the truth of what was asked (`ccdfuzz import` lists them)",
+        wrong_labels, labels);
   }
 }
 

@@ -26,13 +26,12 @@ std::vector<std::string> default_methods();
 /// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
   std::optional<double> precision;  ///< absent: 1e-4, or what the case says (asked)
-  std::uint64_t max_pops = SearchOptions().max_pops;  ///< 0: that, within a DefaultBudget
+  /// Absent: as many, within a DefaultBudget.
+  std::optional<std::uint64_t> max_pops = SearchOptions().max_pops;
   double max_seconds = SearchOptions::kNoTimeLimit;
 
-  void add_to(Command& command);
+  std::vector<Option> add_to(Command& command);
   Option add_precision_to(Command& command);
-  /// The same with a DefaultBudget in place of a limit.
-  std::vector<Option> add_with_default_budget_to(Command& command);
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
   SearchOptions options() const;
@@ -81,7 +80,7 @@ struct CaseCount {
 
   void add(const Case& value);
   /// Says on stderr what is not as it should be.
-  void note(const char* command) const;
+  void note(Session& session) const;
 };
 
 }  // namespace ccdfuzz

@@ -157,12 +157,12 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
       [&] { return session.interrupted(); }));
   session.progress().clear();
   if (session.interrupted()) {
-    print_err(fmt::format(
-        "ccdfuzz: evaluate: interrupted after {} cases; {}\n", done,
-        kept ? "the same command goes on from there" : "the tables are of these alone"));
-    if (kept) return session.exit_code(kDone);
+    const int code = session.end_early(
+        done, "cases",
+        kept ? "the same command goes on from there" : "the tables are of these alone");
+    if (kept) return code;
   }
-  counts.note("evaluate");
+  counts.note(session);
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->file.rename(answers));

@@ -129,7 +129,7 @@ std::uint64_t export_engine_tests(const ExportOptions& options, const EngineTemp
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
     const Result<std::string> text = engine_test(named, engine.engine);
     if (!text) {
-      print_err(fmt::format("ccdfuzz: export: {}; it is left out\n", text.error().message()));
+      session.remark("{}; it is left out", text.error().message());
       ++left_out;
       return {};
     }

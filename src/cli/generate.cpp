@@ -26,7 +26,7 @@ struct GenerateOptions {
   /// Absent: paper, or one-sided for shapes that paper has not.
   std::optional<Construction> construction;
   GeneratorOptions generator;  ///< all but these
-  std::uint64_t count = 0;
+  std::optional<std::uint64_t> count;
   std::uint64_t first = 0;
   bool paper = false;
   std::uint64_t one_in = 1;
@@ -87,14 +87,14 @@ GeneratorOptions generator_of(const GenerateOptions& options) {
 }
 
 Plan plain_plan(const GenerateOptions& options) {
-  for (const auto& [name, given] :
-       {std::pair("--contact", options.contact.has_value()),
-        std::pair("--kind", options.kind.has_value()), std::pair("--count", options.count > 0)}) {
+  for (const auto& [name, given] : {std::pair("--contact", options.contact.has_value()),
+                                    std::pair("--kind", options.kind.has_value()),
+                                    std::pair("--count", options.count.has_value())}) {
     if (!given) throw BadInput{{name, "is required without --paper"}};
   }
   const GeneratorOptions g = generator_of(options);
-  need(check_room(options.first, options.count, "cases"));
-  return {options.count, "cases",
+  need(check_room(options.first, *options.count, "cases"));
+  return {*options.count, "cases",
           [g, first = options.first](std::uint64_t i) {
             try {
               Generated made = generate(g, first + i);
@@ -116,7 +116,9 @@ struct Target {
 
 Target open_target(const GenerateOptions& options, const RunHeader& header) {
   Target target;
-  if (header.shard.is_whole()) target.set = need(MadeSet::open(options.path()));
+  if (header.shard.is_whole()) {
+    target.set = MadeSet{options.path(), need(DataSetWriter::open(options.path()))};
+  }
   if (header.shard.is_whole() && !options.paper) return target;
   target.run.emplace(resumed_run(header, options.output, "constructions"));
   auto& [lines, left] = target.run->earlier;
@@ -174,14 +176,9 @@ int run_generate(const GenerateOptions& options, Session& session) {
   Target target =
       open_target(options, {"generate", CCDFUZZ_VERSION, {}, session.asked, plan.count, shard});
   const std::uint64_t made = target.before + make_all(plan, shard, target, session);
-  if (session.interrupted() && !target.run) {
-    return session.end_unwritten("generate", made, plan.unit, options.path());
-  }
   if (session.interrupted()) {
-    print_err(fmt::format(
-        "ccdfuzz: generate: interrupted after {} {}; the same command goes on from there\n", made,
-        plan.unit));
-    return session.exit_code(kDone);
+    return target.run ? session.end_early(made, plan.unit, "the same command goes on from there")
+                      : session.end_unwritten(made, plan.unit, options.path());
   }
   if (!target.set) {
     need(target.run->file.rename(options.output));
@@ -189,7 +186,7 @@ int run_generate(const GenerateOptions& options, Session& session) {
                                 shard.of, options.output));
     return kDone;
   }
-  need(target.set->finish());
+  need(target.set->writer.finish(target.set->costs));
   if (target.run) need(target.run->file.remove());
   // What plain cases cost is a remark.
   if (!options.paper && !session.json) leave_stdout_to("/dev/stdout");
@@ -210,8 +207,7 @@ void add_generate(CommandLine& line) {
       command.choice("--kind KIND", options->kind,
                      "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: "
                      "as RP, but they graze. NMN: as NHP, but they just miss");
-  Option count = command.whole("--count", options->count, "How many cases", 1);
-  count.without_default();
+  const Option count = command.whole("--count", options->count, "How many cases", 1);
   const Option first = command.whole("--first", options->first, "Index of the first case");
   command.whole("--seed", options->generator.seed, "Seed of the data set");
   const Option construction = command.choice(

@@ -43,8 +43,6 @@ struct HuntArguments {
   HuntOptions hunt;
   std::string corpus = "finds";
   FailOn fail_on = FailOn::kNone;
-  int within = 0;  ///< 0: any scale
-  std::uint64_t cases = 0;
   std::string page;  ///< folder
   bool by_class = false;
   SearchFlags search;
@@ -190,19 +188,19 @@ bool asked_nothing(const HuntReport& report) {
   return report.course.back().queries + report.course.back().mutants == 0;
 }
 
-void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {
+void remark_that_nothing_was_asked(const HuntReport& report, const HuntOptions& options,
+                                   Session& session) {
   std::string why = "the time was over before";
-  std::string more = options.cases > 0 ? ": try more --cases" : ": try more --seconds";
+  std::string more = options.cases ? ": try more --cases" : ": try more --seconds";
   const auto refuses = [](const HuntCell& cell) { return cell.tally.not_asked() > 0; };
   if (std::ranges::any_of(report.cells, refuses)) {
     why = fmt::format("every method refused what it was to be asked about {} cases", report.cases);
     more.clear();
   } else if (report.cases > 0) {
     why = fmt::format("none of {} cases drawn can be", report.cases);
-    if (options.within > 0) why += fmt::format(" with --within {}", options.within);
+    if (options.ground.scale) why += fmt::format(" with --within {}", *options.ground.scale);
   }
-  print_err(
-      fmt::format("ccdfuzz: hunt: nothing was checked: no query was asked; {}{}\n", why, more));
+  session.remark("nothing was checked: no query was asked; {}{}", why, more);
 }
 
 bool fails(const HuntReport& report, FailOn fail_on) {
@@ -231,8 +229,6 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   HuntArguments options = arguments;
   options.hunt.threads = session.threads;
   options.hunt.search = options.search.options();
-  if (options.within > 0) options.hunt.ground.scale = options.within;
-  if (options.cases > 0) options.hunt.cases = options.cases;
   if (options.hunt.ground.bodies && options.hunt.methods == methods_by_default()) {
     options.hunt.methods = {"oracle"};
   }
@@ -250,13 +246,13 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
       [&](const HuntProgress& p) {
         for (const Failure& failure : p.met) {
           if (!failing.insert(failure.who).second) continue;
-          session.progress().note(fmt::format("ccdfuzz: hunt: found: {}\n", to_text(failure)));
+          session.remark("found: {}", to_text(failure));
         }
         if (p.trouble && !std::exchange(told, true)) {
-          session.progress().note(
-              fmt::format("ccdfuzz: hunt: {}: the hunt continues; it keeps its finds in memory and "
-                          "stores them as soon as it can\n",
-                          p.trouble->message()));
+          session.remark(
+              "{}: the hunt continues; it keeps its finds in memory and stores them as soon as it "
+              "can",
+              p.trouble->message());
         }
         session.progress().show(p.share, fmt::format("{} counterexamples", p.finds), p.queries,
                                 "queries");
@@ -274,7 +270,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   if (!session.json) print_summary(report, options.corpus);
   if (interrupted) return session.exit_code(kDone);
   if (asked_nothing(report)) {
-    print_that_nothing_was_asked(report, options);
+    remark_that_nothing_was_asked(report, arguments.hunt, session);
     return kCheckFailed;
   }
   return fails(report, options.fail_on) ? kCheckFailed : kDone;
@@ -292,12 +288,11 @@ void add_hunt(CommandLine& line) {
   const Option seconds =
       command.parsed("--seconds SECONDS", hunt.seconds, "How long to hunt", parse_seconds, "60");
   command
-      .whole("--cases", options->cases,
+      .whole("--cases", hunt.cases,
              "Instead: this many cases of each contact class, each run with every method. The same "
              "--seed then finds the same",
              1, kMostCases)
-      .excludes(seconds)
-      .without_default();
+      .excludes(seconds);
   command.choice("--until OUTCOME", hunt.until,
                  "End with the first counterexample of this outcome: missed, late, false_positive, "
                  "error");
@@ -326,12 +321,11 @@ void add_hunt(CommandLine& line) {
                "Only bodies in the plane z = 0, as 2-D engines have them; with --bodies");
   command.flag("--binary32", hunt.ground.binary32,
                "Only queries whose numbers are all floats, minimised ones too");
-  command
-      .whole("--within", options->within,
-             "Only queries whose numbers are 0 or of size 2^-N to 2^N, minimised ones too, so that "
-             "neither under- nor overflow explains a failure",
-             1, kWidest)
-      .without_default();
+  command.whole(
+      "--within", hunt.ground.scale,
+      "Only queries whose numbers are 0 or of size 2^-N to 2^N, minimised ones too, so that "
+      "neither under- nor overflow explains a failure",
+      1, kWidest);
   command.flag(
       "--ordinary", hunt.ground.ordinary,
       "Only queries that any code should answer: patches are apart at 0, and touch well inside of "

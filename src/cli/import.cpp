@@ -111,7 +111,7 @@ int run_import(const ImportOptions& options, Session& session) {
         need(writer.write(named.value, ""));  // no certificate of these is a tree
       });
   if (session.interrupted()) {
-    return session.end_unwritten("import", counts.queries, "queries", options.output);
+    return session.end_unwritten(counts.queries, "queries", options.output);
   }
   need(writer.finish());
   session.end_table(true);

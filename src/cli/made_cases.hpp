@@ -29,25 +29,15 @@ struct MadeCases {
 };
 
 /// Made cases on their way into a data set, beside which is what they cost.
-class MadeSet {
- public:
-  /// Errors: as DataSetWriter::open.
-  static Result<MadeSet> open(const std::string& path);
+struct MadeSet {
+  std::string path;
+  DataSetWriter writer;  ///< finished with the costs
+  std::vector<GenerationCost> costs = {};
+  std::uint64_t cases = 0, trees = 0;
 
   Result<void> add(MadeCases made);
-  /// Must come last; until then none of the files is there.
-  Result<void> finish();
   /// Shows what the cases cost, and then how many there are. of: behind that number.
   void show(Session& session, const std::string& of = "") const;
-
- private:
-  MadeSet(DataSetWriter writer, std::string path)
-      : path_(std::move(path)), writer_(std::move(writer)) {}
-
-  std::string path_;
-  DataSetWriter writer_;
-  std::vector<GenerationCost> costs_;
-  std::uint64_t cases_ = 0, trees_ = 0;
 };
 
 }  // namespace ccdfuzz

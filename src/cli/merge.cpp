@@ -45,10 +45,10 @@ int merge_made(const MergeOptions& options, Session& session) {
   if (run.header().run != "generate") {
     throw BadInput{{options.inputs[0], "is no share of a data set"}};
   }
-  MadeSet set = need(MadeSet::open(options.output));
+  MadeSet set{options.output, need(DataSetWriter::open(options.output))};
   for_each_record<MadeCases>(
       run, [&](std::string_view, MadeCases made) { need(set.add(std::move(made))); });
-  need(set.finish());
+  need(set.writer.finish(set.costs));
   set.show(session, fmt::format(" of {} files", options.inputs.size()));
   return kDone;
 }
@@ -69,8 +69,7 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
       });
   for (const std::string& file : run.header().inputs) {
     if (!fs::exists(file) && !fs::exists(costs_path(file))) {
-      print_err(
-          fmt::format("ccdfuzz: merge: {} is not there: Table 4 is without its costs\n", file));
+      session.remark("{} is not there: Table 4 is without its costs", file);
     }
   }
   need(write_tables(options.output, rows, need(read_costs(run.header().inputs))));

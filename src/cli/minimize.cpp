@@ -40,7 +40,7 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
 }
 
 /// Writes the case and beside it the tree that it may have; only one that is as it was has a tree.
-void write_minimised(const MinimizeOptions& options, Case value, bool json) {
+void write_minimised(const MinimizeOptions& options, Case value, Session& session) {
   const std::string& path = options.output;
   if (!path.empty() && !is_stream(path)) {
     const std::string tree = need(tree_of(value.truth, trees_path(options.file)));
@@ -49,13 +49,13 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
     return need(writer.finish());
   }
   if (drop_tree(value.truth)) {
-    print_err(
-        "ccdfuzz: minimize: without its tree of separating axes, which a stream cannot hold, the "
-        "case proves no absence of contact: use --output FILE\n");
+    session.remark(
+        "without its tree of separating axes, which a stream cannot hold, the case proves no "
+        "absence of contact: use --output FILE");
   }
   const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
   if (!path.empty()) return need(write_file(path, text));
-  if (!json) print_out(text);
+  if (!session.json) print_out(text);
 }
 
 int run_minimize(const MinimizeOptions& options, Session& session) {
@@ -77,7 +77,7 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Minimised minimised = minimise(found.value, failure, asker,
                                        {options.max_trials, [&] { return interrupted.load(); }});
-  write_minimised(options, minimised.value, session.json);
+  write_minimised(options, minimised.value, session);
   if (session.json) {
     print_row([&](auto& row) {
       row("case", found.id);

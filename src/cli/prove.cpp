@@ -85,7 +85,7 @@ int run_prove(const ProveOptions& options, Session& session) {
       });
   session.end_table(true);
   if (session.interrupted()) {
-    return session.end_unwritten("prove", cases, "cases", options.output);
+    return session.end_unwritten(cases, "cases", options.output);
   }
   need(destination.finish(need(read_costs(options.files))));
   std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),

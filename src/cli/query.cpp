@@ -107,7 +107,7 @@ int run_query(const QueryOptions& options, Session& session) {
     return is_default && is_of_bodies(value.query) ? std::vector<std::string>{"oracle"}
                                                    : options.methods;
   };
-  const bool by_default = options.search.max_pops == 0;
+  const bool by_default = !options.search.max_pops;
   session.begin_table(
       {method_column(), {"answer", Align::kLeft}, {"outcome", Align::kLeft}, {"pops"}, {"time"}});
   tbb::enumerable_thread_specific<MethodSet> methods;
@@ -149,7 +149,7 @@ int run_query(const QueryOptions& options, Session& session) {
         }
       },
       &spent);
-  counts.note("query");
+  counts.note(session);
   session.end_table(true);
   if (!session.json && counts.cases > 0) {
     for (size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) print_out(notes[i]);
@@ -178,7 +178,8 @@ void add_query(CommandLine& line) {
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   add_methods(command, options->methods,
               "Methods to run, separated by commas; where it is left out, bodies are for oracle");
-  options->search.add_with_default_budget_to(command);
+  options->search.max_pops.reset();
+  options->search.add_to(command);
   command.max_work();
   command.threads();
   command.json("One JSON object per answer and line, with all numbers");

@@ -108,7 +108,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
   SearchOptions search = options.search.options_for(entry.value);
   // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
   constexpr std::uint64_t kTimes = 16;
-  if (options.search.max_pops == 0) DefaultBudget::limit(search, known->query(), kTimes);
+  if (!options.search.max_pops) DefaultBudget::limit(search, known->query(), kTimes);
   for (const auto& [method, expected] : expectations(entry.value, options)) {
     if (!is_admitted(method)) {
       result.not_allowed.emplace(method, expected);
@@ -197,7 +197,7 @@ class Replay {
   }
 
   void add(const NamedCase& entry, const Replayed& done) {
-    if (options_.search.max_pops == 0 && budget_.is_spent()) {
+    if (!options_.search.max_pops && budget_.is_spent()) {
       throw BadInput{DefaultBudget::spent_before(entry.id)};
     }
     ++entries_;
@@ -254,9 +254,8 @@ class Replay {
         now.expect[row.method] = row.got;
         continue;
       }
-      print_err(fmt::format(
-          "ccdfuzz: {}: {} hangs, by the clock: what the entry expects of it is left as it is\n",
-          entry.id, row.method));
+      session_.remark("{}: {} hangs, by the clock: what the entry expects of it is left as it is",
+                      entry.id, row.method);
     }
     if (now == entry.value) return;
     expectations_.update(entry.id, to_json(now, JsonLayout::kReadable) + "\n",
@@ -267,18 +266,17 @@ class Replay {
   /// expected for no good reason.
   bool was_asked() const {
     if (expectations_.total() + claims_.total() == 0 && options_.methods.empty()) {
-      print_err(fmt::format("ccdfuzz: replay: nothing was judged: {}\n",
-                            not_allowed_.empty() ? "no entry expects anything"
-                                                 : "every expectation is one of a plug-in"));
+      session_.remark("nothing was judged: {}", not_allowed_.empty()
+                                                    ? "no entry expects anything"
+                                                    : "every expectation is one of a plug-in");
       return false;
     }
     bool all = true;
     for (const std::string& method : options_.methods) {
       if (asked_.contains(method)) continue;
-      print_err(fmt::format("ccdfuzz: replay: {} was judged by nothing: {}\n", method,
-                            options_.expect
-                                ? "it takes no entry, or claims to find none of the contacts"
-                                : "no entry expects anything of it; see --expect"));
+      session_.remark("{} was judged by nothing: {}", method,
+                      options_.expect ? "it takes no entry, or claims to find none of the contacts"
+                                      : "no entry expects anything of it; see --expect");
       all = false;
     }
     return all;
@@ -307,13 +305,10 @@ class Replay {
                                  counted(expectations_.total(), "expectation", "expectations"),
                                  expectations_.text(), left_out));
     if (expectations_.count(Change::kImprovement) > 0 && !options_.update) {
-      print_err(
-          "ccdfuzz: replay: an improvement is a change, too: --update writes it into the entry\n");
+      session_.remark("an improvement is a change, too: --update writes it into the entry");
     }
-    if (!not_allowed_.empty()) {
-      print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
-    }
-    case_counts_.note("replay");
+    if (!not_allowed_.empty()) session_.remark("{}", to_text(not_allowed_));
+    case_counts_.note(session_);
   }
 
   const ReplayOptions& options_;
@@ -351,9 +346,8 @@ void add_replay(CommandLine& line) {
       "Write what methods show now into the entries, but no hang, which depends on the "
       "machine, and exit with 0");
   // An entry says itself how it is asked.
-  for (const Option& limit : options->search.add_with_default_budget_to(command)) {
-    update.excludes(limit);
-  }
+  options->search.max_pops.reset();
+  for (const Option& limit : options->search.add_to(command)) update.excludes(limit);
   command.max_work();
   command.threads();
   command.json("One JSON object per expectation");

@@ -45,7 +45,7 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
         }
         report.cases.push_back(std::move(reported));
       });
-  if (!left_out.empty()) print_err(fmt::format("ccdfuzz: report: {}\n", to_text(left_out)));
+  if (!left_out.empty()) session.remark("{}", to_text(left_out));
   keep_most_telling(report);
   return report;
 }
@@ -118,7 +118,7 @@ int run_report(const ReportArguments& options, Session& session) {
   report.command = command_line();
   need(write_report(report, options.folder, session.threads));
   if (session.interrupted())
-    print_err("ccdfuzz: report: interrupted; the page shows only what was read until then\n");
+    session.remark("interrupted; the page shows only what was read until then");
   print_out(fmt::format("{}/index.html: {}\n", options.folder,
                         counted(report.cases.size(), "case", "cases")));
   return session.exit_code(kDone);

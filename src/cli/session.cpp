@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "io/output_file.hpp"
-
 namespace ccdfuzz {
 
 ResumedRun resumed_run(const RunHeader& header, const std::string& output, const char* unit) {
@@ -19,10 +17,8 @@ ResumedRun resumed_run(const RunHeader& header, const std::string& output, const
   return {std::move(file), {need(RunLines::open(path)), before}};
 }
 
-int Session::end_unwritten(const char* command, std::uint64_t done, const char* unit,
-                           const std::string& path) const {
-  print_err(fmt::format("ccdfuzz: {}: interrupted after {} {}{}\n", command, done, unit,
-                        is_stream(path) ? "" : "; " + path + " was not written"));
+int Session::end_early(std::uint64_t done, const char* unit, const std::string& what_follows) {
+  remark("interrupted after {} {}{}{}", done, unit, what_follows.empty() ? "" : "; ", what_follows);
   return interrupted_exit_code();
 }
 

@@ -16,6 +16,7 @@
 #include "cli/terminal.hpp"
 #include "eval/stream_cases.hpp"
 #include "io/fields.hpp"
+#include "io/output_file.hpp"
 #include "io/run_file.hpp"
 #include "io/table.hpp"
 #include "properties/suites.hpp"
@@ -57,6 +58,7 @@ class Session {
  public:
   int threads = 1;
   bool json = false;
+  std::string command;               ///< the name of the one that runs
   std::vector<Property> properties;  ///< all that there are
   FindSuite find_suite;
   std::map<std::string, std::string> asked;  ///< the command's options that decide its result
@@ -82,6 +84,13 @@ class Session {
   void say(const Row& row, const std::string& text) {
     progress_.clear();
     json ? print_row(row) : print_out(text);
+  }
+  /// Says on stderr what is no result: "ccdfuzz: COMMAND: …".
+  template <class... Args>
+  void remark(fmt::format_string<Args...> format, Args&&... args) {
+    progress_.clear();
+    print_err(fmt::format("ccdfuzz: {}: {}\n", command,
+                          fmt::format(format, std::forward<Args>(args)...)));
   }
   /// The summary for people: nothing with --json.
   void summary(const std::string& text) {
@@ -118,9 +127,13 @@ class Session {
   /// The exit code of the command: `code`, or that of the signal.
   int exit_code(int code) const { return interrupted() ? interrupted_exit_code() : code; }
 
-  /// Says on stderr what a signal left undone; the exit code.
-  int end_unwritten(const char* command, std::uint64_t done, const char* unit,
-                    const std::string& path) const;
+  /// Says on stderr after how much a signal ended the command, and what follows from that; the exit
+  /// code.
+  int end_early(std::uint64_t done, const char* unit, const std::string& what_follows);
+  /// The same, and that a file was not written.
+  int end_unwritten(std::uint64_t done, const char* unit, const std::string& path) {
+    return end_early(done, unit, is_stream(path) ? "" : path + " was not written");
+  }
 
   Progress& progress() { return progress_; }
 

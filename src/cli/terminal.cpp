@@ -63,12 +63,6 @@ Progress::Progress()
     : on_terminal_(isatty(STDERR_FILENO) == 1),
       next_(on_terminal_ ? start_ : start_ + kFirstPause) {}
 
-void Progress::note(const std::string& line) {
-  clear();
-  const std::string shown = shown_lines(line);
-  std::fwrite(shown.data(), 1, shown.size(), stderr);
-}
-
 void Progress::show(double share, const std::string& note, std::uint64_t done,
                     std::string_view unit) {
   const std::lock_guard lock(mutex_);

@@ -30,8 +30,6 @@ class Progress {
   void show(double share, const std::string& note, std::uint64_t done, std::string_view unit);
   /// Wipes the line, so that other output may follow.
   void clear();
-  /// Prints a line that stays.
-  void note(const std::string& line);
 
  private:
   std::mutex mutex_;

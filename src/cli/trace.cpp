@@ -164,8 +164,8 @@ int run_trace(const TraceArguments& options, Session& session) {
   if (traces == 0 && first_why_not) throw BadInput{*first_why_not};
   session.end_table(true);
   if (left_out > 0) {
-    print_err(fmt::format("ccdfuzz: trace: {} left out, such as {}\n",
-                          counted(left_out, "case", "cases"), first_why_not->message()));
+    session.remark("{} left out, such as {}", counted(left_out, "case", "cases"),
+                   first_why_not->message());
   }
   session.summary(
       mark_note(options.methods) +

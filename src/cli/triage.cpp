@@ -158,8 +158,7 @@ class TriageRun {
       std::error_code error;
       if (!done && !fs::exists(file, error)) continue;
       if (!done) {
-        session_.progress().note(
-            fmt::format("ccdfuzz: triage: {}; it is left as it is\n", done.error().message()));
+        session_.remark("{}; it is left as it is", done.error().message());
         ++counts_.files_unread;
         continue;
       }
@@ -181,9 +180,7 @@ class TriageRun {
     options.search = arguments_.search.options();
     options.stop = [this] { return is_over(); };
     std::string at;  // what is worked on
-    options.warn = [&](const std::string& warning) {
-      session_.progress().note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
-    };
+    options.warn = [&](const std::string& what) { session_.remark("{}: {}", at, what); };
     if (!arguments_.known.empty()) {
       need(for_each_entry(arguments_.known, [&](const NamedCase& entry) { store.know(entry); }));
     }
