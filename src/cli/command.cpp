@@ -207,16 +207,15 @@ Option Command::flag(const std::string& name, bool& value, const std::string& de
   return Option(app_->add_flag(name, value, description));
 }
 
-Option Command::add_text(
-    const std::string& name, const std::string& description, const std::string& standard,
-    std::function<Result<void>(const std::string& where, const std::string& text)> take) {
+Option Command::add_text(const std::string& name, const std::string& description,
+                         const std::string& standard, Take take) {
   const Named named(name);
   const std::string where = named.name.substr(named.name.rfind(',') + 1);
   return Option(app_->add_option_function<std::string>(
                         named.name,
                         [where, take = std::move(take)](const std::string& text) {
                           if (text.empty()) throw BadInput{{where, "is empty"}};
-                          need(take(where, text));
+                          take(where, text);
                         },
                         description)
                     ->type_name(named.value)
@@ -235,38 +234,32 @@ Option Command::plugin_names() {
                   "Load this plug-in. Options, files and output name it plugin:NAME. Several "
                   "with commas between",
                   "",
-                  [](const std::string& where, const std::string& text) -> Result<void> {
+                  [](const std::string& where, const std::string& text) {
                     for (const std::string& item : texts_between(text)) {
                       const size_t equals = item.find('=');
                       if (equals == std::string::npos) {
-                        return input_error(
-                            where, fmt::format("\"{}\" is not of the form NAME=SPEC", item));
+                        throw BadInput{
+                            {where, fmt::format("\"{}\" is not of the form NAME=SPEC", item)}};
                       }
-                      const auto named =
-                          name_plugin(item.substr(0, equals), item.substr(equals + 1));
-                      if (!named) return input_error(where, named.error().what);
+                      need_at(where, name_plugin(item.substr(0, equals), item.substr(equals + 1)));
                     }
-                    return {};
                   })
       .in("Methods");
 }
 
 Option Command::allow_plugins() {
-  return add_text("--allow-plugins LIST",
-                  "Plug-ins that may be started where files name them, separated by commas, each "
-                  "spelled as in the file",
-                  "",
-                  [](const std::string& where, const std::string& text) -> Result<void> {
-                    const Result<std::vector<std::string>> specs = parse_method_list(text);
-                    if (!specs) return input_error(where, specs.error().what);
-                    for (const std::string& spec : *specs) {
-                      if (names_plugin(spec)) continue;
-                      return input_error(
-                          where,
-                          fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
-                    }
-                    return {};
-                  })
+  return add_text(
+             "--allow-plugins LIST",
+             "Plug-ins that may be started where files name them, separated by commas, each "
+             "spelled as in the file",
+             "",
+             [](const std::string& where, const std::string& text) {
+               for (const std::string& spec : need_at(where, parse_method_list(text))) {
+                 if (names_plugin(spec)) continue;
+                 throw BadInput{
+                     {where, fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec)}};
+               }
+             })
       .in("Methods");
 }
 
@@ -278,7 +271,7 @@ Option Command::max_work(const std::string& which) {
                               which),
                   "",
                   [](const std::string& where, const std::string& text) {
-                    return parse_whole(where, text).map(&RunWork::allow);
+                    RunWork::allow(need(parse_whole(where, text)));
                   })
       .in("Limits");
 }

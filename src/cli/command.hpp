@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -38,6 +37,26 @@ enum ExitCode : int {
   kInternal = 3,
 };
 
+/// Ends a command with kBadInput and this message. Thrown by commands alone: libraries return a
+/// Result.
+struct BadInput {
+  InputError error;
+};
+
+/// The value of the result. Throws BadInput if it is an error.
+template <class T>
+T need(Result<T> result) {
+  if (!result) throw BadInput{std::move(result.error())};
+  if constexpr (!std::is_void_v<T>) return *std::move(result);
+}
+/// The same of what is at `where`, whatever place the error names.
+template <class T>
+T need_at(const std::string& where, Result<T> result) {
+  return need(std::move(result).map_error([&](const InputError& error) {
+    return InputError{where, error.what};
+  }));
+}
+
 /// How the user called this program, so that the commands we print work when pasted.
 const std::string& program_name();
 /// The command line as the user typed it, quoted for a shell.
@@ -53,6 +72,22 @@ Result<E> parse_choice(const std::string& where, const std::string& text) {
 /// A whole number of [least, most]. Errors: anything else.
 Result<std::uint64_t> parse_whole_in(const std::string& where, const std::string& text,
                                      std::uint64_t least, std::uint64_t most);
+
+/// The type of a value, or of what an optional may hold.
+template <class Value>
+using ValueIn = typename decltype(std::optional(std::declval<Value>()))::value_type;
+
+/// What help shows of the value that an option has by default; nothing of one that is absent.
+template <class Value>
+std::string shown_default(const Value& value) {
+  if constexpr (requires { *value; }) {
+    return value ? shown_default(*value) : "";
+  } else if constexpr (NamedEnum<Value>) {
+    return std::string(name_of(value));
+  } else {
+    return fmt::format("{}", value);
+  }
+}
 
 /// One option of a command, for what more is to be said of it.
 class Option {
@@ -87,16 +122,14 @@ class Command {
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);
-  /// A whole number of [least, most], in decimal (parse_whole).
-  template <std::integral N>
-  Option whole(const std::string& name, N& value, const std::string& description,
+  /// A whole number of [least, most], in decimal (parse_whole); an optional may be absent.
+  template <class Value, class N = ValueIn<Value>>
+  Option whole(const std::string& name, Value& value, const std::string& description,
                std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
-    return add_whole<N>(name, value, description, std::to_string(value), least, most);
-  }
-  template <std::integral N>
-  Option whole(const std::string& name, std::optional<N>& value, const std::string& description,
-               std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
-    return add_whole<N>(name, value, description, value ? std::to_string(*value) : "", least, most);
+    return add_text(name + " N", description, shown_default(value),
+                    [&value, least, most](const std::string& where, const std::string& text) {
+                      value = static_cast<N>(need(parse_whole_in(where, text, least, most)));
+                    });
   }
 
   /// The value that parse(where, text) makes of the text; where is the option's name.
@@ -106,17 +139,13 @@ class Command {
                 const std::string& standard = "") {
     return add_text(name, description, standard,
                     [&value, parse](const std::string& where, const std::string& text) {
-                      return parse(where, text).map([&](T parsed) { value = std::move(parsed); });
+                      value = need(parse(where, text));
                     });
   }
   /// One of the names of an enumeration's values.
-  template <NamedEnum E>
-  Option choice(const std::string& name, E& value, const std::string& description) {
-    return parsed(name, value, description, &parse_choice<E>, std::string(name_of(value)));
-  }
-  template <NamedEnum E>
-  Option choice(const std::string& name, std::optional<E>& value, const std::string& description) {
-    return parsed(name, value, description, &parse_choice<E>);
+  template <class Value, class E = ValueIn<Value>>
+  Option choice(const std::string& name, Value& value, const std::string& description) {
+    return parsed(name, value, description, &parse_choice<E>, shown_default(value));
   }
 
   /// --threads, by default as many as there are cores; --json.
@@ -132,20 +161,10 @@ class Command {
  private:
   friend class CommandLine;
   Command(CLI::App* app, Session& session) : app_(app), session_(&session) {}
-  template <class N>
-  Option add_whole(const std::string& name, auto& value, const std::string& description,
-                   const std::string& standard, std::uint64_t least, std::uint64_t most) {
-    return add_text(
-        name + " N", description, standard,
-        [&value, least, most](const std::string& where, const std::string& text) {
-          return parse_whole_in(where, text, least, most).map([&](std::uint64_t number) {
-            value = static_cast<N>(number);
-          });
-        });
-  }
-  Option add_text(
-      const std::string& name, const std::string& description, const std::string& standard,
-      std::function<Result<void>(const std::string& where, const std::string& text)> take);
+  /// take: may throw BadInput. where: the option's name.
+  using Take = std::function<void(const std::string& where, const std::string& text)>;
+  Option add_text(const std::string& name, const std::string& description,
+                  const std::string& standard, Take take);
 
   CLI::App* app_;
   Session* session_;

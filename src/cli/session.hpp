@@ -23,26 +23,6 @@
 
 namespace ccdfuzz {
 
-/// Ends a command with kBadInput and this message. Thrown by commands alone: libraries return a
-/// Result.
-struct BadInput {
-  InputError error;
-};
-
-/// The value of the result. Throws BadInput if it is an error.
-template <class T>
-T need(Result<T> result) {
-  if (!result) throw BadInput{std::move(result.error())};
-  if constexpr (!std::is_void_v<T>) return *std::move(result);
-}
-/// The same of what is at `where`, whatever place the error names.
-template <class T>
-T need_at(const std::string& where, Result<T> result) {
-  return need(std::move(result).map_error([&](const InputError& error) {
-    return InputError{where, error.what};
-  }));
-}
-
 /// A long run that an earlier process may have begun.
 struct ResumedRun {
   RunFile file;
