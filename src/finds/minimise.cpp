@@ -1,7 +1,7 @@
 #include "finds/minimise.hpp"
 
 #include <algorithm>
-#include <array>
+#include <tuple>
 #include <vector>
 
 #include "case/scale.hpp"
@@ -12,6 +12,7 @@
 #include "finds/simplify.hpp"
 #include "fuzz/mutator/repair.hpp"
 #include "generators/bodies.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -20,31 +21,13 @@ namespace {
 /// How many ways to repair a broken contact are looked at; there are about as many.
 constexpr std::uint64_t kRepairs = 6;
 
-/// What of a contact stays: the dimension of what it lies on in each patch, and whether it comes
-/// after the start. A corner has the dimension 0, an edge 1, the inside 2.
-struct ContactPlace {
-  std::array<int, 2> dimensions{};
-  bool after_start = false;
-  friend bool operator==(const ContactPlace&, const ContactPlace&) = default;
-};
+/// What of a contact stays: the feature of each patch that it lies on, and whether it comes after
+/// the start.
+using ContactPlace = std::tuple<Feature, Feature, bool>;
 
 ContactPlace place_of(const Contact& q) {
-  ContactPlace place;
-  place.after_start = q.t.sign() > 0;
-  for (size_t side = 0; side < 2; ++side) {
-    const Shape& shape = q.query.patches[side].shape;
-    const Dyadic &u = q.uv[side][0], &v = q.uv[side][1];
-    const auto strictly_inside = [](const Dyadic& x) { return x.sign() > 0 && x < Dyadic(1); };
-    int& dimension = place.dimensions[side];
-    if (shape.kind == ShapeKind::kTriangle) {
-      const Dyadic w = Dyadic(1) - u - v;
-      dimension = (u.sign() != 0) + (v.sign() != 0) + (w.sign() != 0) - 1;
-    } else {
-      for (int k = 0; k < shape.parameter_count(); ++k)
-        dimension += strictly_inside(k == 0 ? u : v);
-    }
-  }
-  return place;
+  const auto& [a, b] = q.query.patches;
+  return {feature_at(a.shape, q.uv[0]), feature_at(b.shape, q.uv[1]), q.t.sign() > 0};
 }
 
 /// Whether a contact is at an edge or a corner of neither patch, but where that is all of it.
@@ -100,7 +83,7 @@ class Minimiser {
       if (decided) contact_ = decided->origin.contact;
     }
     rank_ = simplicity_of(best_);
-    place_ = place_of(best_);
+    if (keeps_witness_) place_ = place_of(best_);
     are_floats_ = is_binary32(found_.query);
     return true;
   }
