@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/verify.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
@@ -15,13 +14,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-/// Generators prove what they say.
-CheckedCase checked(Case made) {
-  Result<CheckedCase> known = check_case(std::move(made));
-  CCDFUZZ_VERIFY(known.has_value());
-  return *std::move(known);
-}
 
 /// Linear case number `index` of such a class. It is degenerate in any of the ways that linear
 /// codes fail on (draw_linear). Exact arithmetic decides its truth, and the checker accepts it.
@@ -239,7 +231,8 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
 }
 
 std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) const {
-  const CheckedCase made = checked(ground_.fitted(drawn_case(contact, index)));
+  // Generators prove what they say.
+  const auto made = value_or_throw(check_case(ground_.fitted(drawn_case(contact, index))));
   std::vector<CheckedCase> asked = are_by_shapes() ? std::vector{made} : forms_of(made);
   std::erase_if(asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return asked;

@@ -15,11 +15,9 @@ Niche niche_at(Niche::By by, const TracePlace& place, int axis) {
   return {by, static_cast<std::int16_t>(place.level), static_cast<std::int16_t>(axis)};
 }
 
-/// Within a few ulps; for guides alone.
+/// Within an ulp; for guides alone.
 double about(const Dyadic& x) {
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, x.mantissa().get_mpz_t());
-  return std::ldexp(mantissa, static_cast<int>(exponent + x.exponent()));
+  return x.rational().get_d();
 }
 
 /// What an axis makes of both patches at a time. It is how fast they close in the contact, and the
