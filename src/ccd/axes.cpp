@@ -29,22 +29,13 @@ struct Spans {
 template <class At>
 Spans spans_of(const Shape& shape, bool over_both_sides, const At& at) {
   const auto from_to = [&at](int from, int to) { return Vec3<double>(at(to) - at(from)); };
-  const int u_end = shape.kind == ShapeKind::kCurve ? shape.n : shape.index(shape.n, 0);
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return {};
-    case ShapeKind::kCurve:
-      return {from_to(0, u_end), Vec3<double>(0, 0, 0)};
-    case ShapeKind::kTriangle:
-      return {from_to(0, u_end), from_to(0, shape.index(0, shape.n))};
-    case ShapeKind::kTensor:
-      break;
-  }
-  const int v_end = shape.index(0, shape.m), far = shape.index(shape.n, shape.m);
-  Spans spans{from_to(0, u_end), from_to(0, v_end)};
-  if (over_both_sides) {
+  const int u_end = shape.index(shape.n, 0), v_end = shape.index(0, shape.last_column(0));
+  Spans spans;
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
+  if (shape.parameter_count() > 0) spans.u = from_to(0, u_end);
+  if (shape.parameter_count() > 1) spans.v = from_to(0, v_end);
+  if (shape.kind == ShapeKind::kTensor && over_both_sides) {
+    const int far = shape.index(shape.n, shape.m);
     spans.u = (spans.u + at(far)) - at(v_end);
     spans.v = (spans.v + at(far)) - at(u_end);
   }

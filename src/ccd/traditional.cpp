@@ -34,28 +34,25 @@ void tell(ExclusionObserver& observer, int axis, const Vec3<double>& direction,
   }
 }
 
-}  // namespace
-
-void TraditionalInclusion::sweep(const ControlNet& net, const Window& window, Sweep& out) {
-  out.size = 0;
+/// The control points of a part at both ends of the window.
+void sweep(const ControlNet& net, const Window& window, Points<double>& out) {
+  out.clear();
   for (const double t : {window.lo, window.hi}) {
     for (size_t i = 0; i < net.positions.size(); ++i) {
       const Vec3<double>&p = net.positions[i], &v = net.velocities[i];
-      out.points[out.size++] = {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
+      out.emplace_back(p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]);
     }
   }
 }
+
+}  // namespace
 
 std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window,
                                                  ExclusionObserver* observer) {
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   for (int side = 0; side < 2; ++side) sweep(nets[side], window, sweeps_[side]);
-  const auto points = [this](int side) {
-    return std::span<const Vec3<double>>(sweeps_[side].points.data(),
-                                         static_cast<size_t>(sweeps_[side].size));
-  };
   const auto separates = [&](int r, const Vec3<double>& axis) {  // Eqs. 3a, 3b negated
-    const auto p = range_on(axis, points(0)), q = range_on(axis, points(1));
+    const auto p = range_on(axis, sweeps_[0]), q = range_on(axis, sweeps_[1]);
     if (observer != nullptr) tell(*observer, r, axis, {p, q}, window);
     return p[1] < q[0] || q[1] < p[0];
   };

@@ -35,16 +35,9 @@ class TraditionalInclusion {
                              ExclusionObserver* observer = nullptr);
 
  private:
-  /// The control points of a part at both ends of the window.
-  struct Sweep {
-    std::array<Vec3<double>, 2 * kMaxControls> points;
-    int size = 0;
-  };
-  static void sweep(const ControlNet& net, const Window& window, Sweep& out);
-
   BoxKind kind_;
   SubPatches parts_;
-  std::array<Sweep, 2> sweeps_;
+  std::array<Points<double>, 2> sweeps_;  ///< control points at both ends of the window
 };
 
 /// `trad` (oriented boxes, as the paper uses it) and `trad:aabb`.

@@ -30,23 +30,15 @@ certified::CornerFrame corner_frame(const Shape& shape, const CellPoints& points
 
 /// Two directions that the cell spans at t; zero where it spans fewer.
 std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points, double t) {
-  const auto between = [&](int i, int j) {
-    const certified::Axis p = point_at(points, t, i), q = point_at(points, t, j);
+  const auto from_start = [&](int i) {
+    const certified::Axis p = point_at(points, t, 0), q = point_at(points, t, i);
     return normalised({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
   };
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      break;
-    case ShapeKind::kCurve:  // the chord, and the middle control point from its start
-      return {between(0, shape.n), between(0, (shape.n + 1) / 2)};
-    case ShapeKind::kTriangle:
-      return {between(0, shape.index(shape.n, 0)), between(0, shape.index(0, shape.n))};
-    case ShapeKind::kTensor:
-      return {between(0, shape.index(shape.n, 0)), between(0, shape.index(0, shape.m))};
-  }
-  return {Vec3<double>(0, 0, 0), Vec3<double>(0, 0, 0)};
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
+  // Of a curve the chord, and the middle control point from its start.
+  const bool is_curve = shape.kind == ShapeKind::kCurve;
+  const int v_end = is_curve ? (shape.n + 1) / 2 : shape.index(0, shape.last_column(0));
+  return {from_start(shape.index(shape.n, 0)), from_start(v_end)};
 }
 
 }  // namespace

@@ -62,18 +62,11 @@ void WitnessPath::assign(const std::array<Shape, 2>& shapes, const Witness& witn
 bool WitnessPath::in(int side, const Cell& cell) const {
   const auto& [u, v, sum] = at_[static_cast<size_t>(side)];
   const int d = cell.depth;
-  switch (shapes_[static_cast<size_t>(side)].kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return true;
-    case ShapeKind::kCurve:
-      return u.at_least(cell.i, d) && u.at_most(cell.i + 1, d);
-    case ShapeKind::kTensor:
-      return u.at_least(cell.i, d) && u.at_most(cell.i + 1, d) && v.at_least(cell.j, d) &&
-             v.at_most(cell.j + 1, d);
-    case ShapeKind::kTriangle:
-      break;
+  const ShapeKind kind = shapes_[static_cast<size_t>(side)].kind;
+  if (kind == ShapeKind::kHull) refuse_hull();
+  if (kind != ShapeKind::kTriangle) {
+    return u.at_least(cell.i, d) && u.at_most(cell.i + 1, d) && v.at_least(cell.j, d) &&
+           v.at_most(cell.j + 1, d);
   }
   const std::uint64_t diagonal = cell.i + cell.j + 1;
   return cell.inverted
