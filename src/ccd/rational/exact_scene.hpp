@@ -43,22 +43,21 @@ class ExactScene {
       Side& s = sides_[side];
       s.shape = patch.shape;
       const size_t count = patch.positions.size();
-      s.position.resize(count);
-      s.velocity.resize(count);
-      s.weight.assign(count, {Int(1), Int(0), Int(0)});
+      s.controls.resize(count);
       for (Part& part : s.parts) {
         part.cell.depth = kNoDepth;
         if (part.points.size() < count) part.points.resize(count);
       }
       if (net_.size() < count) net_.resize(count);
       for (size_t i = 0; i < count; ++i) {
+        Control& control = s.controls[i];
+        control[kWeight] = Int(1);
         for (size_t k = 0; k < 3; ++k) {
-          const auto at = static_cast<Eigen::Index>(k);
-          s.position[i][k] = integer_in<Int>(parts_of(patch.positions[i][at]), units.length);
+          const DoubleParts position = parts_of(patch.positions[i][static_cast<int>(k)]);
+          control[k] = integer_in<Int>(position, units.length);
           const int unit = units.length - units.time;
-          s.velocity[i][k] = integer_in<Int>(parts_of(patch.moves()[i][at]), unit);
-          if (!patch.has_ends()) continue;
-          s.velocity[i][k] -= integer_in<Int>(parts_of(patch.positions[i][at]), unit);
+          control[k + 3] = integer_in<Int>(parts_of(patch.moves()[i][static_cast<int>(k)]), unit);
+          if (patch.has_ends()) control[k + 3] -= integer_in<Int>(position, unit);
         }
       }
       if constexpr (kHoldsAll) multiply(s, patch);
@@ -91,18 +90,15 @@ class ExactScene {
   }
 
  private:
-  using Vector = std::array<Int, 3>;
   /// Parameters as integers over 2^depth.
   using IntegerUv = std::array<std::int64_t, 2>;
 
   static constexpr bool kHoldsAll = std::is_same_v<Int, Integer>;
 
-  /// A control point of a cell, times 2^(depth·blossom_steps), and its weight times the same, which
-  /// is 1 of a polynomial patch; asked for where a patch is rational.
-  struct MovingPoint {
-    Vector position, velocity;
-    Int weight;
-  };
+  /// Position and velocity of a control point, and its weight: 1 of a polynomial patch. Those of a
+  /// cell are times 2^(depth·blossom_steps), and have weights where a patch is rational.
+  using Control = std::array<Int, 7>;
+  static constexpr size_t kWeight = 6;
 
   /// A height times a weight, and the weight.
   struct Height {
@@ -114,13 +110,13 @@ class ExactScene {
     Cell cell;
     std::array<IntegerUv, 3> corners;
     std::array<bool, kMaxControls> made;
-    std::vector<MovingPoint> points;
+    std::vector<Control> points;
   };
   static constexpr int kNoDepth = -1;
 
   struct Side {
     Shape shape;
-    std::vector<Vector> position, velocity, weight;  ///< weights have a first coordinate
+    std::vector<Control> controls;
     /// Those asked of last, as many as a split has children. Each of them meets all of the other
     /// side's, on many axes.
     std::array<Part, 4> parts;
@@ -143,8 +139,8 @@ class ExactScene {
     int unit = parts_of(patch.weights[0]).exponent;
     for (const double w : patch.weights) unit = std::min(unit, parts_of(w).exponent);
     for (size_t i = 0; i < patch.weights.size(); ++i) {
-      const Int weight = s.weight[i][0] = integer_in<Int>(parts_of(patch.weights[i]), unit);
-      for (size_t k = 0; k < 3; ++k) s.position[i][k] *= weight, s.velocity[i][k] *= weight;
+      const Int weight = integer_in<Int>(parts_of(patch.weights[i]), unit);
+      for (Int& x : s.controls[i]) x *= weight;
     }
   }
 
@@ -200,16 +196,13 @@ class ExactScene {
     return part;
   }
 
-  const MovingPoint& point(const Side& side, Part& part, int i, int j) {
+  const Control& point(const Side& side, Part& part, int i, int j) {
     const auto at = static_cast<size_t>(side.shape.index(i, j));
-    MovingPoint& out = part.points[at];
+    Control& out = part.points[at];
     if (part.made[at]) return out;
     part.made[at] = true;
-    for (size_t k = 0; k < 3; ++k) {
-      out.position[k] = control(side.shape, side.position, k, part, i, j);
-      out.velocity[k] = control(side.shape, side.velocity, k, part, i, j);
-    }
-    if (is_rational_) out.weight = control(side.shape, side.weight, 0, part, i, j);
+    const size_t numbers = is_rational_ ? kWeight + 1 : kWeight;
+    for (size_t k = 0; k < numbers; ++k) out[k] = number(side, k, part, i, j);
     return out;
   }
 
@@ -227,10 +220,10 @@ class ExactScene {
     for (int i = 0; i <= shape.n; ++i) {
       for (int j = 0; j <= shape.last_column(i); ++j) {
         if (candidates[static_cast<size_t>(shape.index(i, j))] == 0) continue;
-        const MovingPoint& p = point(side, part, i, j);
-        Height height{Int(0), p.weight};
+        const Control& p = point(side, part, i, j);
+        Height height{Int(0), p[kWeight]};
         for (size_t k = 0; k < 3; ++k) {
-          height.value += times(p.position[k] + times(p.velocity[k], time), axis.l[k]);
+          height.value += times(p[k] + times(p[k + 3], time), axis.l[k]);
         }
         if (!any || is_beyond(height, best, maximum)) best = height;
         any = true;
@@ -240,16 +233,15 @@ class ExactScene {
     return best;
   }
 
-  /// 2^(depth·blossom_steps) times a coordinate of control point (i, j) of the cell. It is the
-  /// patch's blossom at i corners of the u end, j of the v end and the origin for the rest. The
-  /// parameters are homogeneous: weights of sum 2^depth.
-  Int control(const Shape& shape, const std::vector<Vector>& controls, size_t coordinate,
-              const Part& part, int i, int j) {
+  /// Number k of control point (i, j) of the cell. It is the patch's blossom at i corners of the u
+  /// end, j of the v end and the origin for the rest. The parameters are homogeneous: weights of
+  /// sum 2^depth.
+  Int number(const Side& side, size_t k, const Part& part, int i, int j) {
     const std::array<IntegerUv, 3>& corners = part.corners;
     const std::int64_t one = std::int64_t{1} << part.cell.depth;
-    for (size_t a = 0; a < controls.size(); ++a) net_[a] = controls[a][coordinate];
+    for (size_t a = 0; a < side.controls.size(); ++a) net_[a] = side.controls[a][k];
     blossom_in_place<Int>(
-        shape, net_,
+        side.shape, net_,
         [&](const Int& p, const Int& q, int step, bool in_v) {
           const std::int64_t s = corners[step < (in_v ? j : i) ? 1 : 0][in_v ? 1 : 0];
           return Int(times(p, one - s) + times(q, s));

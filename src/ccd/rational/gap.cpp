@@ -21,27 +21,8 @@ void normalise(const Points<double>& points, const Vec3<double>& origin, int shi
   }
 }
 
-/// What is to be subtracted from velocities, and from ends before their positions are: the same
-/// motion. Where one patch has ends and the other velocities, it is none.
-struct Drift {
-  Vec3<double> of_velocities, of_ends;
-
-  explicit Drift(const std::array<MovingPatch<double>, 2>& patches) {
-    const auto& [a, b] = patches;
-    of_velocities = {0, 0, 0};
-    of_ends = a.positions[0];
-    if (a.has_ends() && b.has_ends()) of_ends = a.ends[0];
-    if (!a.has_ends() && !b.has_ends()) of_velocities = a.velocities[0];
-  }
-};
-
 /// Four control points at once; the sequence of roundings of each is that of scalar code.
 using FourHeights = Eigen::Array4d;
-
-/// The exponent e with m < 2^e, or the least int for m = 0.
-int top_of(double m) {
-  return m == 0 ? std::numeric_limits<int>::min() / 2 : parts_of(m).top();
-}
 
 }  // namespace
 
@@ -72,19 +53,13 @@ void Gap::begin(const Query& query) {
   exact_work_ = 0;
   std::apply([](auto&... tier) { ((tier.loaded = false), ...); }, tiers_);
 
-  int top = std::numeric_limits<int>::min() / 2;
-  for (const MovingPatch<double>& patch : query.patches) {
-    top = std::max(top, top_of(largest_component(patch.positions)));
-    const double moves = patch.has_ends() ? std::max(largest_component(patch.ends),
-                                                     largest_component(patch.positions))
-                                          : largest_component(patch.velocities);
-    top = std::max(top, top_of(moves) + units_.horizon);
-  }
-  top = std::max(top, top_of(query.separation));
-  const bool at_rest_at_origin = top < -10000;  // every coordinate is zero
-  length_shift_ = at_rest_at_origin ? 0 : -top;
-  const Vec3<double> origin = query.patches[0].positions[0];
-  const Drift drift(query.patches);
+  length_shift_ = -units_.top;
+  const auto& [a, b] = query.patches;
+  const Vec3<double> origin = a.positions[0];
+  // What is to be subtracted from velocities, and from ends before their positions are: the same
+  // motion. Where one patch has ends and the other velocities, it is none.
+  const Vec3<double> drift = a.has_ends() || b.has_ends() ? Vec3<double>(0, 0, 0) : a.velocities[0];
+  const Vec3<double> end_of_drift = a.has_ends() && b.has_ends() ? a.ends[0] : origin;
   double m_position = 0, m_velocity = 0;
   int roundings = 0;
   for (size_t side = 0; side < 2; ++side) {
@@ -92,11 +67,11 @@ void Gap::begin(const Query& query) {
     normalise(patch.positions, origin, length_shift_, positions_);
     const int shift = length_shift_ + units_.horizon;
     if (patch.has_ends()) {
-      normalise(patch.ends, drift.of_ends, shift, velocities_);
+      normalise(patch.ends, end_of_drift, shift, velocities_);
       normalise(patch.positions, origin, shift, starts_);
       for (size_t i = 0; i < starts_.size(); ++i) velocities_[i] -= starts_[i];
     } else {
-      normalise(patch.velocities, drift.of_velocities, shift, velocities_);
+      normalise(patch.velocities, drift, shift, velocities_);
     }
     m_position = std::max(m_position, largest_component(positions_));
     m_velocity = std::max(m_velocity, largest_component(velocities_));

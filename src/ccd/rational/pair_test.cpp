@@ -29,11 +29,6 @@ const BoxDirections& PairTest::frame(int side, int part, double t) {
   return *frame;
 }
 
-Vec3<double> PairTest::candidate(int part_a, int part_b, int r, double start) {
-  if (is_apart_) return (*apart_)[r];
-  return pair_axis(frame(0, part_a, start), frame(1, part_b, start), r);
-}
-
 void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
                     const ScaledWindow& before, Cut cut, const ScaledWindow& after) const {
   const auto exclude = [&](double lo, double hi, bool has_lo, bool has_hi) {
@@ -70,7 +65,8 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
       apart_.emplace(shapes_, gap_.points(0, part_a), gap_.points(1, part_b), w.lo);
     }
     ++unchanged;
-    const Vec3<double> direction = candidate(part_a, part_b, r, w.lo);
+    const Vec3<double> direction =
+        is_apart_ ? (*apart_)[r] : pair_axis(frame(0, part_a, w.lo), frame(1, part_b, w.lo), r);
     const std::optional<IntegerAxis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);

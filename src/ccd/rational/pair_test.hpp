@@ -26,8 +26,6 @@ class PairTest {
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:
-  /// Axis r of two parts, of a window that begins at `start` now.
-  Vec3<double> candidate(int part_a, int part_b, int r, double start);
   const BoxDirections& frame(int side, int part, double t);
   /// What cut_window did to a window with the axis that the gap is projected on.
   void tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,

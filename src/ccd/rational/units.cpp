@@ -53,14 +53,17 @@ Units Units::of(const Query& query) {
     of_a_difference = 1;
   }
   BitRange all = position;  // and of the ways
+  int top_of_differences = position.top;
   if (!velocity.empty()) {
     all.low = std::min(all.low, velocity.low + u.time);
-    all.top = std::max(all.top, velocity.top + of_a_difference + u.horizon);
+    all.top = std::max(all.top, velocity.top + u.horizon);
+    top_of_differences = std::max(position.top, velocity.top + of_a_difference + u.horizon);
   }
   if (all.empty()) return u;
   u.length = all.low;
+  u.top = all.top;
   const bool is_a_sum = !position.empty() && !velocity.empty();
-  u.magnitude_bits = all.top - all.low + (is_a_sum ? 1 : 0);
+  u.magnitude_bits = top_of_differences - all.low + (is_a_sum ? 1 : 0);
   return u;
 }
 

@@ -18,6 +18,7 @@ struct Units {
   int time = 0;
   int grid = 0;            ///< exponent of the grid of window ends
   int horizon = 0;         ///< 0 ≤ t < 2^horizon for all t ≤ t_max
+  int top = 0;             ///< no coordinate and no way until t_max reaches 2^top; 0 if all are 0
   int magnitude_bits = 0;  ///< |p + T·v| < 2^magnitude_bits, for 0 ≤ t ≤ t_max
   int degree_sum = 0;      ///< most midpoint halvings that one split applies to a control point
 
