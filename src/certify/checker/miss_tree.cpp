@@ -109,14 +109,4 @@ void TreeBits::time(std::uint64_t time) {
   put(time >> shift, kTimeBits - shift);
 }
 
-void TreeBits::rewind(const Mark& mark) {
-  at_ = mark.bits;
-  axis_ = mark.axis;
-  bytes_.resize((at_ + 7) / 8);
-  if (at_ % 8 != 0) {
-    const auto kept = static_cast<unsigned char>(bytes_.back()) & ((1U << (at_ % 8)) - 1);
-    bytes_.back() = static_cast<char>(kept);
-  }
-}
-
 }  // namespace ccdfuzz

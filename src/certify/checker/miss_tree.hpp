@@ -73,14 +73,6 @@ class TreeBits {
   void time(std::uint64_t time);  ///< 0 < time < kTimeSteps
   const std::string& bytes() const { return bytes_; }
 
-  /// To undo what was written since.
-  struct Mark {
-    size_t bits;
-    std::optional<TreeAxis> axis;
-  };
-  Mark mark() const { return {at_, axis_}; }
-  void rewind(const Mark& mark);
-
  private:
   void put(std::uint64_t value, int bits);
 

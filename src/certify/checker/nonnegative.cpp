@@ -78,25 +78,17 @@ bool is_nonnegative_row(const std::vector<Rational>& row) {
          is_low_and_nonnegative(Shape::curve(static_cast<int>(row.size()) - 1), row);
 }
 
-/// Row r of equal i if by_u, else of equal j.
+/// Row r: of equal i, of equal j, or on a triangle of equal n − i − j, by 0, 1 or 2.
 std::vector<Rational> row_of(const Shape& shape, const std::vector<Rational>& coefficients,
-                             bool by_u, int r) {
+                             size_t by, int r) {
   std::vector<Rational> row;
-  const int last = by_u || shape.kind == ShapeKind::kTriangle ? shape.last_column(r) : shape.n;
+  const int last = by == 0 || shape.kind == ShapeKind::kTriangle ? shape.last_column(r) : shape.n;
   for (int k = 0; k <= last; ++k) {
-    row.push_back(coefficients[static_cast<size_t>(by_u ? shape.index(r, k) : shape.index(k, r))]);
+    const std::array places = {shape.index(r, k), shape.index(k, r),
+                               shape.index(shape.n - r - k, k)};
+    row.push_back(coefficients[static_cast<size_t>(places[by])]);
   }
   return row;
-}
-
-/// by_u: rows of equal i, else of equal j.
-bool has_nonnegative_rows(const Shape& shape, const std::vector<Rational>& coefficients,
-                          bool by_u) {
-  const int rows = by_u ? shape.n : shape.last_column(0);
-  for (int r = 0; r <= rows; ++r) {
-    if (!is_nonnegative_row(row_of(shape, coefficients, by_u, r))) return false;
-  }
-  return true;
 }
 
 /// A polynomial in one variable x: Bernstein coefficients times binomials, which are coefficients
@@ -174,18 +166,6 @@ bool has_nonnegative_discriminant(const std::array<std::vector<Rational>, 3>& ro
   return is_nonnegative_beyond_0(std::move(discriminant), work);
 }
 
-/// The same polynomial with u and w = 1−u−v exchanged.
-std::vector<Rational> with_u_and_w_exchanged(const Shape& triangle,
-                                             const std::vector<Rational>& coefficients) {
-  std::vector<Rational> out;
-  for (int i = 0; i <= triangle.n; ++i) {
-    for (int j = 0; j <= triangle.n - i; ++j) {
-      out.push_back(coefficients[static_cast<size_t>(triangle.index(triangle.n - i - j, j))]);
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficients, Work* work) {
@@ -193,19 +173,20 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficient
   if (shape.kind == ShapeKind::kPoint) return false;
   if (is_low_and_nonnegative(shape, coefficients)) return true;
   if (shape.kind == ShapeKind::kCurve) return false;
-  if (has_nonnegative_rows(shape, coefficients, true) ||
-      has_nonnegative_rows(shape, coefficients, false)) {
-    return true;
-  }
-  if (shape.kind == ShapeKind::kTriangle) {
-    return has_nonnegative_rows(shape, with_u_and_w_exchanged(shape, coefficients), true);
-  }
-  const auto has_discriminant = [&](bool by_u) {
-    if ((by_u ? shape.n : shape.m) != 2) return false;
-    const auto row = [&](int r) { return row_of(shape, coefficients, by_u, r); };
-    return has_nonnegative_discriminant({row(0), row(1), row(2)}, work);
+  const auto row = [&](size_t by, int r) { return row_of(shape, coefficients, by, r); };
+  const auto has_rows = [&](size_t by) {
+    bool all = true;
+    const int last = by == 0 ? shape.n : shape.last_column(0);
+    for (int r = 0; r <= last && all; ++r) all = is_nonnegative_row(row(by, r));
+    return all;
   };
-  return has_discriminant(true) || has_discriminant(false);
+  if (has_rows(0) || has_rows(1)) return true;
+  if (shape.kind == ShapeKind::kTriangle) return has_rows(2);
+  const auto has_discriminant = [&](size_t by) {
+    if ((by == 0 ? shape.n : shape.m) != 2) return false;
+    return has_nonnegative_discriminant({row(by, 0), row(by, 1), row(by, 2)}, work);
+  };
+  return has_discriminant(0) || has_discriminant(1);
 }
 
 }  // namespace ccdfuzz

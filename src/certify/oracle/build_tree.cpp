@@ -32,20 +32,6 @@ Axis to_double(const TreeAxis& l) {
   return {static_cast<double>(l[0]), static_cast<double>(l[1]), static_cast<double>(l[2])};
 }
 
-/// Calls visit(axis) on the candidates that are not zero, until it returns true.
-template <class Visit>
-bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Axis& first,
-                        const Visit& visit) {
-  CandidateAxes candidates(a, b, first);
-  for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const Axis l = axis_of(*batch, lane);
-      if (norm1(l) > 0 && visit(l)) return true;
-    }
-  }
-  return false;
-}
-
 class Builder {
  public:
   Builder(const Query& query, const Rational& until, std::uint64_t max_nodes, Deadline* deadline)
@@ -193,7 +179,13 @@ class Builder {
     const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
     const CornerFrame a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
     const Axis offset = query_.separation > 0 ? minus(a.middle, b.middle) : Axis{};
-    if (for_each_candidate(a, b, offset, try_axis)) return leaf(*found);
+    CandidateAxes candidates(a, b, offset);
+    for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const Axis l = axis_of(*batch, lane);
+        if (norm1(l) > 0 && try_axis(l)) return leaf(*found);
+      }
+    }
 
     if (cut.length > 0) {
       pair.hint = to_double(cut.axis);

@@ -14,15 +14,6 @@ namespace {
 
 constexpr int kTime = ContactBox::kTime;
 
-/// The barycentrics w, u, v of a triangle's parameters; those near 0 are 0.
-std::array<double, 3> barycentrics(const Uv<double>& uv, double near_zero) {
-  std::array<double, 3> x = {1 - uv[0] - uv[1], uv[0], uv[1]};
-  for (double& b : x) {
-    if (b <= near_zero) b = 0;
-  }
-  return x;
-}
-
 /// A box of no size at the guess. In a triangle the largest barycentric is the dependent one,
 /// so that edges are fixed unknowns.
 ContactBox box_at(const Query& query, const ContactGuess& guess, double near_zero) {
@@ -31,7 +22,9 @@ ContactBox box_at(const Query& query, const ContactGuess& guess, double near_zer
     const Shape& shape = query.patches[s].shape;
     double* const x = &box.centre[2 * s];
     if (shape.kind == ShapeKind::kTriangle) {
-      const std::array<double, 3> b = barycentrics(guess.uv[s], near_zero);
+      const auto& [u, v] = guess.uv[s];
+      std::array<double, 3> b = {1 - u - v, u, v};
+      for (double& y : b) y = y <= near_zero ? 0 : y;
       const auto z = static_cast<size_t>(std::max_element(b.begin(), b.end()) - b.begin());
       box.dependent[s] = static_cast<int>(z);
       x[0] = b[(z + 1) % 3], x[1] = b[(z + 2) % 3];
