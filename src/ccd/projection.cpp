@@ -29,7 +29,7 @@ LargestComponents largest_components_of(const MovingPatch<double>& patch) {
 CoefficientError coefficient_error(const Shape& shape, const LargestComponents& extent,
                                    const Axis& axis) {
   if (shape.kind == ShapeKind::kHull) refuse_hull();
-  // 3·B_cp·B_l·[(1+eps)^(k_cp + k_l + 3) − 1]. Of (b) it takes B_cp = 2^n·P and k_cp = 6n, with
+  // 3·B_cp·B_l·[(1+eps)^(k_cp + k_l + 3) − 1]. It takes B_cp = 2^n·P and k_cp = 6n of (b), with
   // 3(n+m) for the 6n of a tensor patch whose degrees differ, and 3n for a curve.
   const double factor = std::ldexp(1.0, std::max(shape.n, shape.m));
   const int steps = shape.kind == ShapeKind::kTriangle ? 2 * shape.n : shape.n + shape.m;

@@ -35,7 +35,7 @@ std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points
     return normalised({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
   };
   if (shape.kind == ShapeKind::kHull) refuse_hull();
-  // Of a curve the chord, and the middle control point from its start.
+  // A curve spans its chord, and the way from its start to the middle control point.
   const bool is_curve = shape.kind == ShapeKind::kCurve;
   const int v_end = is_curve ? (shape.n + 1) / 2 : shape.index(0, shape.last_column(0));
   return {from_start(shape.index(shape.n, 0)), from_start(v_end)};
