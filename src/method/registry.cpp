@@ -141,23 +141,14 @@ Reading reading_of(const SwitchedSpec& spec, Reading reading) {
 Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
   const size_t colon = spec.spec.find(':');
   const std::string text = colon == std::string::npos ? "" : spec.spec.substr(colon + 1);
-  if (text.empty()) {
-    return input_error("--methods", fmt::format("\"{}\" needs a pull-apart factor, as in "
-                                                "tdibm-h:1e-12",
-                                                spec.spec));
-  }
   const Result<double> factor = parse_number("", text);
-  if (!factor) {
-    return input_error("--methods", fmt::format("the pull-apart factor of \"{}\": {}", spec.spec,
-                                                factor.error().what));
+  if (factor && *factor >= 0 && !text.starts_with('-')) {
+    return PullApart(*factor, spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
   }
-  if (*factor < 0 || text.starts_with('-')) {
-    return input_error("--methods",
-                       fmt::format("\"{}\" is no pull-apart factor of \"{}\": a number "
-                                   "≥ 0 is, as in tdibm-h:1e-12",
-                                   text, spec.spec));
-  }
-  return PullApart(*factor, spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
+  return input_error(
+      "--methods",
+      fmt::format("\"{}\" needs a pull-apart factor ≥ 0, as in tdibm-h:1e-12{}", spec.spec,
+                  text.empty() || factor ? "" : "; " + factor.error().what));
 }
 
 /// A family of TdibmInclusion. policy_of: of a spec.
