@@ -1,13 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "eval/tally.hpp"
-#include "method/method.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -21,15 +19,16 @@ class Race {
 
   struct Runner {
     std::string spec;
-    std::unique_ptr<Method> method;
-    Tally tally;  ///< by outcomes undecided (the time is a lower bound), not asked and unknown
+    Tally tally = {};  ///< by outcomes undecided (the time is a lower bound), not asked and unknown
     /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a
     /// limit.
-    std::optional<double> overrun;
+    std::optional<double> overrun = {};
   };
 
   /// Requires specs that parse_method_list accepts.
-  Race(const std::vector<std::string>& specs, const SearchOptions& options);
+  Race(const std::vector<std::string>& specs, const SearchOptions& options) : options_(options) {
+    for (const std::string& spec : specs) runners_.push_back({spec});
+  }
 
   /// Asks all of them one query.
   void ask(const Query& query);
@@ -38,8 +37,8 @@ class Race {
 
  private:
   SearchOptions options_;
+  MethodSet methods_;
   std::vector<Runner> runners_;
-  std::uint64_t queries_ = 0;
 };
 
 }  // namespace ccdfuzz

@@ -58,19 +58,16 @@ Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
   const auto write = [&](const Case& now) {
     return write_file(path, to_json(now, JsonLayout::kReadable) + "\n");
   };
-  const bool has_other_tree =
-      miss_tree(value.truth) && value.truth.clearance != old.value.truth.clearance;
-  const bool loses_tree = miss_tree(old.value.truth) && !miss_tree(value.truth);
+  const bool had_tree = miss_tree(old.value.truth) != nullptr;
   Result<void> written;
-  if (has_other_tree && miss_tree(old.value.truth)) {
+  if (miss_tree(value.truth) && value.truth.clearance != old.value.truth.clearance) {
     Case bare = old.value;
-    drop_tree(bare.truth);
-    written = write(bare);
+    if (drop_tree(bare.truth)) written = write(bare);
+    if (written) written = carry_tree(value.truth, united.trees, path);
   }
-  if (written && has_other_tree) written = carry_tree(value.truth, united.trees, path);
   if (written) written = write(value);
   std::error_code error;
-  if (written && loses_tree) fs::remove(trees_path(path), error);
+  if (written && had_tree && !miss_tree(value.truth)) fs::remove(trees_path(path), error);
   if (error) return system_error(trees_path(path), "remove", error.value());
   return written.map([] { return Store::Put::kMerged; });
 }

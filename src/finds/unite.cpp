@@ -1,7 +1,6 @@
 #include "finds/unite.hpp"
 
 #include <tuple>
-#include <utility>
 
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
@@ -78,14 +77,12 @@ United unite(const NamedCase& old, const Case& find, const std::string& trees,
   if (!again) return united;
   std::optional<CheckedCase> known;
   for (auto& [method, expected] : value.expect) {
-    const auto is_said_by = [&, &who = method, &what = expected](const Case& entry) {
-      const auto said = entry.expect.find(who);
-      return said != entry.expect.end() && said->second == what;
-    };
-    const bool is_disputed = old.value.expect.contains(method) && other.expect.contains(method) &&
-                             !(is_said_by(old.value) && is_said_by(other));
-    const bool is_sure =
-        (is_old_sure && is_said_by(old.value)) || (is_find_sure && is_said_by(other));
+    const auto by_old = old.value.expect.find(method);
+    const auto by_find = other.expect.find(method);
+    const bool is_of_old = by_old != old.value.expect.end();
+    const bool is_of_find = by_find != other.expect.end();
+    const bool is_disputed = is_of_old && is_of_find && !(by_old->second == by_find->second);
+    const bool is_sure = (is_old_sure && is_of_old) || (is_find_sure && is_of_find);
     if (is_sure && !is_disputed) continue;
     if (!known) {
       known = checked_or_unknown(value, tree_of(value.truth, united.trees).value_or(""));

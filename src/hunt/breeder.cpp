@@ -5,7 +5,6 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "eval/horizons.hpp"
-#include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "method/plugin/feature_claims.hpp"

@@ -212,7 +212,11 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   return sources;
 }
 
-Case Draws::generated(ContactClass contact, std::uint64_t index) const {
+Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
+  if (ground_.uniform) {
+    Draw choices{Random::keyed({seed_, index, static_cast<std::uint64_t>(contact), 0x756e69})};
+    return uniform_case(ground_, contact, choices);
+  }
   const std::vector<Source>& around = sources_[static_cast<size_t>(contact)];
   const Source& source = around[index % around.size()];
   const std::uint64_t round = index / around.size();
@@ -220,14 +224,6 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
   GeneratorOptions options = source.options;
   options.kind = source.kinds[round % source.kinds.size()];
   return generate(options, round).value;
-}
-
-Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
-  if (ground_.uniform) {
-    Draw choices{Random::keyed({seed_, index, static_cast<std::uint64_t>(contact), 0x756e69})};
-    return uniform_case(ground_, contact, choices);
-  }
-  return generated(contact, index);
 }
 
 std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) const {

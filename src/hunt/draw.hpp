@@ -49,7 +49,6 @@ class Draws {
                      const std::optional<ShapePair>& shapes) const;
   std::vector<Source> linear_sources(size_t pair) const;
   std::vector<Source> sources_of(ContactClass contact) const;
-  Case generated(ContactClass contact, std::uint64_t index) const;
 
   std::uint64_t seed_;
   HuntGround ground_;

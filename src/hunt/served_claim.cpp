@@ -1,6 +1,5 @@
 #include "hunt/served_claim.hpp"
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

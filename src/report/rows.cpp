@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "base/enum_names.hpp"
-#include "case/taxonomy.hpp"
 #include "eval/curvature.hpp"
 #include "eval/horizons.hpp"
 #include "eval/tables.hpp"
