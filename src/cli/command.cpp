@@ -15,7 +15,6 @@
 #include <sstream>
 #include <thread>
 
-#include "base/number_text.hpp"
 #include "base/text.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
@@ -144,14 +143,6 @@ const std::string& program_name() {
 
 const std::string& command_line() {
   return typed;
-}
-
-Result<std::uint64_t> parse_whole_in(const std::string& where, const std::string& text,
-                                     std::uint64_t least, std::uint64_t most) {
-  return parse_whole(where, text).and_then([&](std::uint64_t number) -> Result<std::uint64_t> {
-    if (least <= number && number <= most) return number;
-    return input_error(where, fmt::format("{} is not in [{}, {}]", text, least, most));
-  });
 }
 
 Option& Option::required() {
@@ -346,37 +337,34 @@ int CommandLine::parse_and_run(int argc, char** argv) {
 }
 
 int CommandLine::parse_and_run_chosen(int argc, char** argv) {
-  try {
-    app_->parse(argc, argv);
-  } catch (const BadInput& bad) {
-    return complain(bad.error.message(), kBadInput, chosen_name(*app_));
-  } catch (const CLI::Success& asked_for_help) {
-    errno = 0;
-    app_->exit(asked_for_help, std::cout);
-    std::cout.flush();
-    if (std::cout) return kDone;
-    return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
-  } catch (const CLI::ParseError& error) {
-    return complain(usage_error(*app_, error), kBadInput, chosen_name(*app_));
-  }
-  if (!chosen_) {
-    print_err(app_->help());
-    return complain("no command given", kBadInput);
-  }
-  session_->command = chosen_name(*app_);
-  session_->asked = asked_of(*app_->get_subcommands().front());
   int code = kDone;
   std::optional<InputError> error;
   try {
-    refuse_unasked_plugins(*app_->get_subcommands().front());
+    app_->parse(argc, argv);
+    if (!chosen_) {
+      print_err(app_->help());
+      return complain("no command given", kBadInput);
+    }
+    const CLI::App& command = *app_->get_subcommands().front();
+    session_->command = command.get_name();
+    session_->asked = asked_of(command);
+    refuse_unasked_plugins(command);
     code = chosen_();
   } catch (const BadInput& bad) {
     session_->end_table();
     error = bad.error;
   } catch (const std::filesystem::filesystem_error& refused) {
     error = system_error(refused.path1().string(), "read", refused.code().value()).value();
+  } catch (const CLI::Success& asked_for_help) {
+    errno = 0;
+    app_->exit(asked_for_help, std::cout);
+    std::cout.flush();
+    if (std::cout) return kDone;
+    return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
+  } catch (const CLI::ParseError& usage) {
+    return complain(usage_error(*app_, usage), kBadInput, chosen_name(*app_));
   }
-  if (error) name_option(*app_->get_subcommands().front(), *error);
+  if (error && chosen_) name_option(*app_->get_subcommands().front(), *error);
   // What was printed before an error must appear before its message. An unwritable stdout is an
   // error, too, unless there is one already.
   const Result<void> flushed = flush_stdout();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/enum_names.hpp"
+#include "base/number_text.hpp"
 #include "base/result.hpp"
 
 // CLI11's headers cost seconds in each file that includes them: command.cpp does, and
@@ -69,10 +70,6 @@ Result<E> parse_choice(const std::string& where, const std::string& text) {
   return input_error(where, fmt::format("\"{}\" is not one of {}", text, enum_names<E>()));
 }
 
-/// A whole number of [least, most]. Errors: anything else.
-Result<std::uint64_t> parse_whole_in(const std::string& where, const std::string& text,
-                                     std::uint64_t least, std::uint64_t most);
-
 /// The type of a value, or of what an optional may hold.
 template <class Value>
 using ValueIn = typename decltype(std::optional(std::declval<Value>()))::value_type;
@@ -126,10 +123,15 @@ class Command {
   template <class Value, class N = ValueIn<Value>>
   Option whole(const std::string& name, Value& value, const std::string& description,
                std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
-    return add_text(name + " N", description, shown_default(value),
-                    [&value, least, most](const std::string& where, const std::string& text) {
-                      value = static_cast<N>(need(parse_whole_in(where, text, least, most)));
-                    });
+    return add_text(
+        name + " N", description, shown_default(value),
+        [&value, least, most](const std::string& where, const std::string& text) {
+          const std::uint64_t number = need(parse_whole(where, text));
+          if (number < least || number > most) {
+            throw BadInput{{where, fmt::format("{} is not in [{}, {}]", text, least, most)}};
+          }
+          value = static_cast<N>(number);
+        });
   }
 
   /// The value that parse(where, text) makes of the text; where is the option's name.

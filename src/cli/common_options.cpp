@@ -6,7 +6,6 @@
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
-#include "certify/checker/check_case.hpp"
 #include "cli/session.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"

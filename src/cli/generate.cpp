@@ -41,14 +41,17 @@ struct GenerateOptions {
 struct Plan {
   std::uint64_t count;
   const char* unit;  ///< what a construction gives
-  std::function<PaperCases(std::uint64_t)> make;
-  std::function<std::pair<ContactClass, std::string_view>(std::uint64_t)> sort;  ///< class and kind
+  struct Made {
+    ContactClass contact;
+    std::string_view kind;
+    PaperCases cases;
+  };
+  std::function<Made(std::uint64_t)> make;
 };
 
 MadeCases made_of(const Plan& plan, std::uint64_t index) {
   const double begin = thread_cpu_seconds();
-  PaperCases made = plan.make(index);
-  const auto [contact, kind] = plan.sort(index);
+  auto [contact, kind, made] = plan.make(index);
   GenerationCost cost{std::string(name_of(contact)),
                       std::string(kind),
                       made.cases.size(),
@@ -63,13 +66,11 @@ MadeCases made_of(const Plan& plan, std::uint64_t index) {
 
 Plan paper_plan(const GenerateOptions& options) {
   auto items = std::make_shared<std::vector<PaperItem>>(paper_items(options.one_in));
-  return {items->size(), "constructions",
-          [items, seed = options.generator.seed](std::uint64_t i) {
-            return make_paper_cases((*items)[i], seed);
-          },
-          [items](std::uint64_t i) {
-            const CaseKind kind = (*items)[i].kind;
-            return std::pair((*items)[i].contact, kind == CaseKind::kRP ? "RP+RN" : name_of(kind));
+  return {items->size(), "constructions", [items, seed = options.generator.seed](std::uint64_t i) {
+            const PaperItem& item = (*items)[i];
+            return Plan::Made{item.contact,
+                              item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind),
+                              make_paper_cases(item, seed)};
           }};
 }
 
@@ -94,16 +95,15 @@ Plan plain_plan(const GenerateOptions& options) {
   }
   const GeneratorOptions g = generator_of(options);
   need(check_room(options.first, *options.count, "cases"));
-  return {*options.count, "cases",
-          [g, first = options.first](std::uint64_t i) {
+  return {*options.count, "cases", [g, first = options.first](std::uint64_t i) {
             try {
               Generated made = generate(g, first + i);
-              return PaperCases{{std::move(made.value)}, {}, made.discards};
+              return Plan::Made{
+                  g.contact, name_of(g.kind), {{std::move(made.value)}, {}, made.discards}};
             } catch (const NothingAccepted& none) {
               throw BadInput{{"--eps-t", none.what()}};
             }
-          },
-          [g](std::uint64_t) { return std::pair(g.contact, name_of(g.kind)); }};
+          }};
 }
 
 /// Where the constructions go: those of a share into its run file, others into a data set; those of

@@ -133,9 +133,9 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
                           to_json(find->value)));
   }
   print_finds(stored, options.corpus);
-  print_table(options.by_class ? hunt_table(report.cells) : method_table(report.cells));
-  print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
-            column_notes(report.cells) + hunt_notes(report));
+  print_table(hunt_table(report.cells, options.by_class));
+  print_out("\n" + mark_note(options.hunt.methods) + column_notes(report.cells) +
+            hunt_notes(report));
   if (stored.empty()) return;
   print_out(fmt::format("Show one:     {}\nRun them all: {}\n", command_of(*stored.front()),
                         replay_command(options.corpus, options.hunt.methods)));

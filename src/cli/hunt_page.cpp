@@ -136,31 +136,26 @@ bool any_is_traced(const std::vector<HuntCell>& cells) {
   });
 }
 
-Table method_table(const std::vector<HuntCell>& of_classes) {
-  const std::vector<HuntCell> cells = by_method(of_classes);
-  std::vector<Column<HuntCell>> columns = {
-      text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
-      {{"drawn"}, [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
-  columns.front().most_width = method_column().most_width;
+Table hunt_table(const std::vector<HuntCell>& of_classes, bool by_class) {
+  const std::vector<HuntCell> cells = by_class ? of_classes : by_method(of_classes);
+  std::vector<Column<HuntCell>> columns;
+  if (by_class) {
+    columns.push_back(
+        text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }));
+  }
+  columns.push_back(
+      text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }));
+  columns.back().most_width = method_column().most_width;
+  columns.push_back(
+      {{"drawn"}, [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }});
   add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kUndecided}, false);
   add_outcomes(columns, met_in(cells, {Outcome::kError, Outcome::kFalsePositive}), false);
   add_refused_column(columns, cells);
   columns.push_back(mean_column());
   add_mutant_columns(columns, cells);
-  return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
-}
-
-Table hunt_table(const std::vector<HuntCell>& cells) {
-  std::vector<Column<HuntCell>> columns = {
-      text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
-      text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
-      asked_column<HuntCell>(), mean_column()};
-  add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive,
-                         Outcome::kUndecided, Outcome::kError});
-  add_refused_column(columns, cells);
-  add_mutant_columns(columns, cells);
-  return table_of(cells, columns,
-                  [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
+  return table_of(cells, columns, [by_class](const HuntCell& a, const HuntCell& b) {
+    return !by_class || a.contact == b.contact;
+  });
 }
 
 Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::string>& asked,
@@ -174,7 +169,8 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::st
     row.tally.seconds = {};  // a hunt is no measurement of times
     report.rows.push_back(std::move(row));
   }
-  report.tables.push_back({"hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells)});
+  report.tables.push_back(
+      {"hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells, true)});
   CCDFUZZ_TRY(const std::vector<NamedCase> entries, store.load());
   std::set<std::string> found;
   for (const Find& find : hunted.finds) {

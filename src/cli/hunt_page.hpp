@@ -19,11 +19,8 @@ std::string replay_command(const std::string& folder, std::vector<std::string> m
 /// False for plug-ins and bodies, which are not traced: none of their mutants is known to be lost.
 bool any_is_traced(const std::vector<HuntCell>& cells);
 
-/// The results of each method.
-Table method_table(const std::vector<HuntCell>& cells);
-
-/// The results of each method in each class.
-Table hunt_table(const std::vector<HuntCell>& cells);
+/// The results of each method, or of each in each class.
+Table hunt_table(const std::vector<HuntCell>& cells, bool by_class);
 
 /// An entry as its expectations say. Where those are of a time that a method reported, a method
 /// that may be started (is_admitted) is asked for it again. Errors: its truth is refuted; a method

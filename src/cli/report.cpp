@@ -57,8 +57,7 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   const RunHeader header = answers.lines.header();
   SearchFlags search;
   const auto precision = header.asked.find("--precision");
-  // Earlier versions wrote "the case's own" where none was given.
-  if (precision != header.asked.end() && precision->second != "the case's own") {
+  if (precision != header.asked.end()) {
     search.precision = need(parse_number(answers.lines.where(), precision->second));
   }
   for (const std::string& file : header.inputs) need(refuse_irregular(file));

@@ -3,7 +3,6 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <atomic>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
