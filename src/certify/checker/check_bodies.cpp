@@ -167,32 +167,26 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
                                  abbreviated(reach), abbreviated(squared)));
 }
 
-Rational height(const std::array<Rational, 3>& normal, const Vec3<double>& p) {
-  Rational sum = 0;
-  for (int k = 0; k < 3; ++k) sum += normal[static_cast<size_t>(k)] * exact(p[k]);
-  return sum;
-}
-
 /// Certificate K of the hulls of such points in place of the bodies'.
 Result<void> check_direction(const Query& query, const Points<double>& first,
                              const Points<double>& second, const BodyClearance& clearance,
                              Work& work) {
   const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
-  const auto& [until, normal, closed] = clearance;
+  const auto& [until, direction, closed] = clearance;
   if (has_turns(query)) return refuse("one direction proves nothing of bodies that turn");
   if (until < 0) return refuse(fmt::format("until: {} is negative", abbreviated(until)));
   const auto& [a, b] = query.patches;
+  const Vec3<Rational> normal(direction[0], direction[1], direction[2]);
   constexpr std::uint64_t kOperations = 8;
   charge_for(kOperations * (first.size() + second.size() + 4),
              words_of(normal[0]) + words_of(normal[1]) + words_of(normal[2]) + words_of(until),
              work);
-  Rational highest = height(normal, first[0]), lowest = height(normal, second[0]);
-  for (const Vec3<double>& p : first) highest = std::max(highest, height(normal, p));
-  for (const Vec3<double>& p : second) lowest = std::min(lowest, height(normal, p));
-  const auto rate = Rational(height(normal, b.velocities[0]) - height(normal, a.velocities[0]));
-  const Rational reach = reach_of(query);
-  const Rational kept =
-      reach * reach * (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  const auto height = [&](const Vec3<double>& p) { return dot(normal, exact(p)); };
+  Rational highest = height(first[0]), lowest = height(second[0]);
+  for (const Vec3<double>& p : first) highest = std::max(highest, height(p));
+  for (const Vec3<double>& p : second) lowest = std::min(lowest, height(p));
+  const auto rate = Rational(height(b.velocities[0]) - height(a.velocities[0]));
+  const Rational reach = reach_of(query), kept = reach * reach * dot(normal, normal);
   for (const bool at_end : {false, true}) {
     const Rational gap = lowest - highest + (at_end ? Rational(until * rate) : Rational(0));
     const Rational squared = gap * gap;

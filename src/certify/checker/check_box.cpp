@@ -4,6 +4,7 @@
 
 #include "certify/checker/check_trim.hpp"
 #include "certify/checker/taylor.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -50,17 +51,6 @@ bool in_region(const MovingPatch<double>& patch, const std::array<Dyadic, 2>& x,
   return is_on_one_edge(patch.trim, corners, work);
 }
 
-using Matrix = std::array<std::array<Dyadic, 3>, 3>;
-
-Dyadic determinant(const Matrix& m) {
-  Dyadic det;
-  for (size_t k = 0; k < 3; ++k) {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    det += m[0][k] * (m[1][i] * m[2][j] - m[1][j] * m[2][i]);
-  }
-  return det;
-}
-
 Result<void> check_within(const Query& query, const ContactBox& box, Work& work) {
   std::array<Dyadic, 5> centre, radius;
   for (size_t i = 0; i < 5; ++i) centre[i] = Dyadic::exact(box.centre[i]);
@@ -87,11 +77,13 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
   }
   if (centre[4] - radius[4] < Dyadic(0)) return refuse_box("the box reaches before t = 0");
 
-  Matrix inverse;
+  std::array<Vec3<Dyadic>, 3> inverse;
   for (size_t i = 0; i < 3; ++i) {
-    for (size_t j = 0; j < 3; ++j) inverse[i][j] = Dyadic::exact(box.inverse[i][j]);
+    const auto& [x, y, z] = box.inverse[i];
+    inverse[i] = exact_dyadic({x, y, z});
   }
-  if (determinant(inverse).sign() == 0) return refuse_box("inverse: is singular");
+  const Dyadic determinant = dot(inverse[0], cross(inverse[1], inverse[2]));
+  if (determinant.sign() == 0) return refuse_box("inverse: is singular");
 
   std::array<Dyadic, 3> remainder;
   for (const TaylorTerm<Dyadic>& term :
@@ -104,8 +96,9 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
       Dyadic value;
       for (size_t k = 0; k < 3; ++k) {
         const Dyadic& coefficient = term.coefficient[static_cast<Eigen::Index>(k)];
-        work.charge(product_work(inverse[i][k], coefficient));
-        value += inverse[i][k] * coefficient;
+        const Dyadic& factor = inverse[i][static_cast<Eigen::Index>(k)];
+        work.charge(product_work(factor, coefficient));
+        value += factor * coefficient;
       }
       work.charge(product_work(value, size));
       if (term.degree() == 1 && term.power[i] == 1) value -= Dyadic(1);
