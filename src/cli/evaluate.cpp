@@ -109,18 +109,6 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
                         contacts, absences, queries - contacts - absences));
 }
 
-void write_evaluation_page(ReportRows& shown, const Rows& rows,
-                           const std::vector<GenerationCost>& costs,
-                           const std::vector<std::string>& files,
-                           const EvaluateArguments& arguments, int threads) {
-  ReportPage page;
-  page.title = files.size() == 1 ? fmt::format("Evaluation of {}", files.front())
-                                 : fmt::format("Evaluation of {} files", files.size());
-  page.command = command_line();
-  shown.finish(page, rows, costs);
-  need(write_report(page, arguments.page, threads));
-}
-
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   EvaluateOptions options = arguments.how;
   options.threads = session.threads;
@@ -173,8 +161,14 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     print_evaluation(rows, costs, arguments, done);
   }
   // Last: what was measured is shown even if the page cannot be written.
-  if (!arguments.page.empty())
-    write_evaluation_page(page, rows, costs, files, arguments, session.threads);
+  if (!arguments.page.empty()) {
+    ReportPage shown;
+    shown.title = files.size() == 1 ? fmt::format("Evaluation of {}", files.front())
+                                    : fmt::format("Evaluation of {} files", files.size());
+    shown.command = command_line();
+    page.finish(shown, rows, costs);
+    need(write_report(shown, arguments.page, session.threads));
+  }
   return session.exit_code(kDone);
 }
 

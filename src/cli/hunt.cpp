@@ -183,11 +183,6 @@ void print_report_json(const HuntReport& report) {
   });
 }
 
-/// No draw is on the ground, or there was no time for any: then nothing was checked.
-bool asked_nothing(const HuntReport& report) {
-  return report.course.back().queries + report.course.back().mutants == 0;
-}
-
 void remark_that_nothing_was_asked(const HuntReport& report, const HuntOptions& options,
                                    Session& session) {
   std::string why = "the time was over before";
@@ -269,7 +264,8 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   }
   if (!session.json) print_summary(report, options.corpus);
   if (interrupted) return session.exit_code(kDone);
-  if (asked_nothing(report)) {
+  // No draw is on the ground, or there was no time for any: then nothing was checked.
+  if (report.course.back().queries + report.course.back().mutants == 0) {
     remark_that_nothing_was_asked(report, arguments.hunt, session);
     return kCheckFailed;
   }
