@@ -93,9 +93,8 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
                    const std::function<void(const Case&, const Judged&)>& found) {
   if (!queries_.empty()) {
     const std::optional<Case> made = decided_mutant();
-    if (!made) return;
-    ++tally_.mutants;
-    return ask_about(*made, methods, search, found);
+    if (made && ask_about(*made, methods, search, found)) ++tally_.mutants;
+    return;
   }
   if (drifting_.empty()) return;
   const Contact& first = mother();
@@ -103,7 +102,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_,
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;
-  ++tally_.mutants;
+  if (traceable_) ++tally_.mutants;
   if (traceable_ && trace_and_note(mutant, tracers)) {
     drift(drifting_, std::move(mutant), random_);
     return;
@@ -114,13 +113,13 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   } else {
     drift(drifting_, std::move(mutant), random_);
   }
-  ask_about(made, methods, search, found);
+  if (ask_about(made, methods, search, found) && !traceable_) ++tally_.mutants;
 }
 
-void Breeder::ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
+bool Breeder::ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
                         const std::function<void(const Case&, const Judged&)>& found) {
   const CaseSize size = size_of(made.query);
-  if (smallest_failure_ && !(size < *smallest_failure_)) return;
+  if (smallest_failure_ && !(size < *smallest_failure_)) return false;
   const CheckedCase known = checked_or_unknown(made);
   bool answered = false;
   for (const CheckedCase& asked : forms_of(known)) {
@@ -131,9 +130,9 @@ void Breeder::ask_about(const Case& made, MethodSet& methods, const SearchOption
     if (!is_failure(judged.outcome) || founds) continue;
     smallest_failure_ = size;
     found(asked.value(), judged);
-    return;
+    return true;
   }
-  if (!answered) --tally_.mutants;  // what the method refuses counts nowhere
+  return answered;
 }
 
 }  // namespace ccdfuzz

@@ -17,8 +17,9 @@ namespace ccdfuzz {
 
 /// The counts of breeding.
 struct BreedTally {
-  std::uint64_t mutants = 0;  ///< made; of methods with a trace and contacts, traced
-  std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
+  /// Traced ones; where mutants have no trace, those that the method was asked about and took.
+  std::uint64_t mutants = 0;
+  std::uint64_t lost = 0;  ///< those whose contact the method lost on the way
   /// By how many ulps the contacts that were not lost survived (Trace::Margin), the least of it.
   /// Founders count, too.
   std::optional<std::uint64_t> margin;
@@ -71,7 +72,8 @@ class Breeder {
   /// Whether mutants of such a query have their truth decided, rather than kept.
   bool decides_anew(const Query& query) const;
   std::optional<Case> decided_mutant();
-  void ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
+  /// Unless it is no smaller than a failure. Returns whether the method took it.
+  bool ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
                  const std::function<void(const Case&, const Judged&)>& found);
 
   std::string method_;
