@@ -47,30 +47,35 @@ class Options {
       const std::size_t end = std::min(text.find(':', begin), text.size());
       const std::string one = text.substr(begin, end - begin);
       const std::size_t equals = one.find('=');
-      if (equals == std::string::npos) throw std::invalid_argument(one + " has no value");
+      if (equals == std::string::npos) throw std::invalid_argument(one + " is not KEY=NUMBER");
       values_[one.substr(0, equals)] = one.substr(equals + 1);
       begin = end + 1;
     }
   }
 
   double number(const std::string& key, double otherwise) {
+    known_ += " " + key + "=NUMBER";
     const auto found = values_.find(key);
     if (found == values_.end()) return otherwise;
     char* end = nullptr;
     const double value = std::strtod(found->second.c_str(), &end);
     if (end == found->second.c_str() || *end != '\0') {
-      throw std::invalid_argument(key + " is no number");
+      throw std::invalid_argument(key + "=" + found->second + " is no number");
     }
     values_.erase(found);
     return value;
   }
 
   void check_all_known() const {
-    if (!values_.empty()) throw std::invalid_argument("unknown option " + values_.begin()->first);
+    if (values_.empty()) return;
+    const auto& [key, value] = *values_.begin();
+    throw std::invalid_argument("unknown option " + key + "=" + value + "; there are" +
+                                (known_.empty() ? " none" : ":" + known_));
   }
 
  private:
   std::map<std::string, std::string> values_;
+  std::string known_;
 };
 
 /// A time of [0, 1] as one of [0, t_max], rounded down: what is conservative stays so.
