@@ -87,8 +87,9 @@ std::optional<InputError> fault_of_loop(const Loop& loop, size_t place, const Sh
           fmt::format("({}, {}) lies outside the domain of a {}", u, v, name_of(shape.kind))};
     }
   }
+  const auto other = std::ranges::find_if(loop, [&](const Uv<double>& p) { return p != loop[0]; });
   const bool has_area = std::ranges::any_of(
-      loop, [&](const Uv<double>& p) { return orientation(loop[0], loop[1], p) != 0; });
+      other, loop.end(), [&](const Uv<double>& p) { return orientation(loop[0], *other, p) != 0; });
   if (!has_area) return fault("has no area");
   for (size_t i = 0; i < loop.size(); ++i) {
     for (size_t j = i + 1; j < loop.size(); ++j) {

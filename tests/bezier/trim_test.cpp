@@ -42,6 +42,9 @@ TEST(Trim, IsRefusedNamingTheField) {
   EXPECT_EQ(fault({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}),
             "trim[0]: crosses or touches itself at the edges from vertices 0 and 2")
       << "closed twice";
+  EXPECT_EQ(fault({{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}),
+            "trim[0]: crosses or touches itself at the edges from vertices 0 and 1")
+      << "begun twice";
   EXPECT_EQ(fault({kHole, {{0, 0.5}, {1, 0.5}, {1, 0.6}}}), "trim[1]: crosses loop 0");
   EXPECT_EQ(fault({kHole, {{0.5, 0.5}, {0.25, 0.25}, {0, 0.1}, {0.25, 0.75}}}),
             "trim[1]: crosses loop 0")
