@@ -336,9 +336,11 @@ TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
 }
 
 TEST(PluginClaims, OfBodiesAreRefusedOfWhomTakesNone) {
-  for (const std::string field :
-       {"takes_turns", "takes_angles", "takes_spins", "takes_meshes", "takes_one_sided"}) {
-    const std::string claim = R"({"protocol":1,")" + field + R"(":true)";
+  for (const std::string field : {"takes_turns", "takes_angles", "takes_spins", "takes_meshes",
+                                  "takes_one_sided", "plane", "bodies"}) {
+    const std::string value =
+        field == "bodies" ? R"([{"least_points":1,"most_points":1}])" : "true";
+    const std::string claim = R"({"protocol":1,")" + field + "\":" + value;
     const auto refused = read_description(claim + '}');
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().name, kRefusal);

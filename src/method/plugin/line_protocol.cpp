@@ -44,11 +44,16 @@ tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& n
 }
 
 /// Refused: a claim about bodies of one that takes none, which would claim nothing.
-tl::expected<void, Fault> check_claims(const Features& claimed) {
+tl::expected<void, Fault> check_claims(const PluginDescription& d) {
+  if (d.features.bodies) return {};
+  const auto refusal = [](std::string_view field) {
+    return answer_fault(kRefusal, fmt::format("claims {} without takes_bodies", field));
+  };
   for (const FeatureClaim& claim : kFeatureClaims) {
-    if (claimed.bodies || kPatchFeatures.*claim.feature || !(claimed.*claim.feature)) continue;
-    return answer_fault(kRefusal, fmt::format("claims {} without takes_bodies", claim.field));
+    if (!(kPatchFeatures.*claim.feature) && d.features.*claim.feature) return refusal(claim.field);
   }
+  if (d.domain.plane) return refusal("plane");
+  if (!d.domain.body_kinds.empty()) return refusal("bodies");
   return {};
 }
 
@@ -316,7 +321,7 @@ tl::expected<PluginDescription, Fault> read_description(const std::string& line)
   const Result<void> read = read_json_tree(
       object, "its description", [&](const JsonCursor& top) { read_json(top, description); });
   if (!read) return answer_fault(kRefusal, read.error().message());
-  CCDFUZZ_TRY_VOID(check_claims(description.features));
+  CCDFUZZ_TRY_VOID(check_claims(description));
   CCDFUZZ_TRY_VOID(check_looseness(description));
   return description;
 }
