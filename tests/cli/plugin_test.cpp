@@ -35,6 +35,8 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   const Finished hunted = succeeded(
       ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods",
                fmt::format("{}", fmt::join(all, ",")), "--corpus", folder / "finds", "--json"}));
+  EXPECT_THAT(hunted.err, testing::HasSubstr("describe-abort:seconds=30: crash SIGABRT when asked "
+                                             "what it is"));
   std::map<std::string, int> finds;
   for (const auto& row : rows_of(hunted.out, "find")) {
     ++finds[row.at("method").get<std::string>()];
