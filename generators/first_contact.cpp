@@ -32,7 +32,7 @@ MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal) {
       weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(t));
   return {t.rational(),
           {normal[0].rational(), normal[1].rational(), normal[2].rational()},
-          dot<Dyadic>(normal, contact).rational()};
+          dot(normal, contact).rational()};
 }
 
 /// The certified double method finds no contact in [0, until]. Its budget is small: a search that

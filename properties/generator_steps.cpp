@@ -103,7 +103,7 @@ void check_grazing(Draw& d) {
   const PrescribedContact& at = scene.contact;
   const auto place = [&](std::size_t s) { return point_at(scene.patches[s].at(at.t), at.x[s]); };
   const auto above = [&](const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
-    return dot<Dyadic>(scene.normal, Vec3<Dyadic>(a - b)).sign();
+    return dot(scene.normal, Vec3<Dyadic>(a - b)).sign();
   };
   CLAIM(place(0) == place(1));
   std::array<Vec3<Dyadic>, 2> v;

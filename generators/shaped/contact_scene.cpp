@@ -77,7 +77,7 @@ MovingPlane plane_of(const ContactScene& scene, const Placement& placement,
   }
   const Vec3<Dyadic> contact =
       evaluate<Dyadic>(patches[0].shape, patches[0].positions, scene.sides[0].at);
-  plane.offset = dot<Dyadic>(normal, contact).rational();
+  plane.offset = dot(normal, contact).rational();
   return plane;
 }
 

@@ -12,11 +12,6 @@ namespace ccdfuzz {
 /// patch there is the sum of weight·control point. They sum to 1. Exact for exact S.
 template <class S>
 std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
-  const auto choose = [](int n, int k) {
-    int c = 1;
-    for (int i = 0; i < k; ++i) c = c * (n - i) / (i + 1);
-    return c;  // n ≤ kMaxDegree: at most 70
-  };
   const auto power = [](const S& x, int n) {
     S y(1);
     for (int i = 0; i < n; ++i) y *= x;
@@ -54,16 +49,15 @@ std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
 /// Where a rational curve or triangle of degree 1 has the point that the patch without weights has
 /// at uv: barycentrics in proportion to x/w. uv itself of patches without weights.
 template <class S>
-Uv<S> parameters_with_weights(const MovingPatch<S>& patch, const Uv<S>& uv) {
-  if (patch.weights.empty()) return uv;
-  CCDFUZZ_ASSERT(patch.shape.n <= 1 && patch.shape.kind != ShapeKind::kTensor);
-  std::vector<S> x = bernstein_weights<S>(patch.shape, uv);
-  S sum(0);
-  for (size_t i = 0; i < x.size(); ++i) sum += x[i] = S(x[i] / patch.weights[i]);
+Uv<S> parameters_with_weights(const Shape& shape, const std::vector<S>& weights, const Uv<S>& uv) {
+  if (weights.size() < 2) return uv;
+  CCDFUZZ_ASSERT(shape.n <= 1 && shape.kind != ShapeKind::kTensor);
+  // Control points are at (0, 0), (0, 1) of a triangle, and (1, 0).
+  const S at_origin(std::max(S(0), S(S(S(1) - uv[1]) - uv[0])) / weights[0]);
+  const S at_v(shape.kind == ShapeKind::kTriangle ? S(uv[1] / weights[1]) : S(0));
+  const S at_u(uv[0] / weights.back()), sum(S(at_origin + at_v) + at_u);
   if (!(sum > S(0))) return uv;  // outside of the patch
-  if (patch.shape.kind == ShapeKind::kCurve) return {S(x[1] / sum), S(0)};
-  if (patch.shape.kind == ShapeKind::kPoint) return uv;
-  return {S(x[2] / sum), S(x[1] / sum)};  // control points at (0, 0), (0, 1), (1, 0)
+  return {S(at_u / sum), S(at_v / sum)};
 }
 
 }  // namespace ccdfuzz

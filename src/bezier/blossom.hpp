@@ -18,40 +18,33 @@ template <class Control, class OnLine, class OnTriangle>
 void blossom_in_place(const Shape& shape, std::span<Control> net, const OnLine& on_line,
                       const OnTriangle& on_triangle) {
   const auto at = [&](int place) -> Control& { return net[static_cast<size_t>(place)]; };
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return;
-    case ShapeKind::kTriangle:
-      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-        const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
-        for (int i = 0; i < left; ++i) {
-          for (int j = 0; j < left - i; ++j) {
-            // to.index ≤ from.index of all later reads
-            at(to.index(i, j)) = on_triangle(at(from.index(i, j)), at(from.index(i + 1, j)),
-                                             at(from.index(i, j + 1)), step);
-          }
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
+  if (shape.kind == ShapeKind::kTriangle) {
+    for (int left = shape.n, step = 0; left > 0; --left, ++step) {
+      const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
+      for (int i = 0; i < left; ++i) {
+        for (int j = 0; j < left - i; ++j) {
+          // to.index ≤ from.index of all later reads
+          at(to.index(i, j)) = on_triangle(at(from.index(i, j)), at(from.index(i + 1, j)),
+                                           at(from.index(i, j + 1)), step);
         }
       }
-      return;
-    case ShapeKind::kTensor:
-      for (int i = 0; i <= shape.n; ++i) {
-        const int row = shape.index(i, 0);
-        for (int left = shape.m, step = 0; left > 0; --left, ++step) {
-          for (int j = 0; j < left; ++j) {
-            at(row + j) = on_line(at(row + j), at(row + j + 1), step, true);
-          }
-        }
+    }
+    return;
+  }
+  for (int i = 0; i <= shape.n; ++i) {
+    const int row = shape.index(i, 0);
+    for (int left = shape.m, step = 0; left > 0; --left, ++step) {
+      for (int j = 0; j < left; ++j) {
+        at(row + j) = on_line(at(row + j), at(row + j + 1), step, true);
       }
-      [[fallthrough]];
-    case ShapeKind::kCurve:
-      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-        for (int i = 0; i < left; ++i) {
-          Control& p = at(shape.index(i, 0));
-          p = on_line(p, at(shape.index(i + 1, 0)), step, false);
-        }
-      }
+    }
+  }
+  for (int left = shape.n, step = 0; left > 0; --left, ++step) {
+    for (int i = 0; i < left; ++i) {
+      Control& p = at(shape.index(i, 0));
+      p = on_line(p, at(shape.index(i + 1, 0)), step, false);
+    }
   }
 }
 

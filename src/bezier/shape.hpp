@@ -38,19 +38,8 @@ struct Shape {
   static constexpr Shape hull(int n) { return {ShapeKind::kHull, n, 0}; }
 
   constexpr int control_count() const {
-    switch (kind) {
-      case ShapeKind::kPoint:
-        return 1;
-      case ShapeKind::kCurve:
-        return n + 1;
-      case ShapeKind::kTriangle:
-        return (n + 1) * (n + 2) / 2;
-      case ShapeKind::kTensor:
-        return (n + 1) * (m + 1);
-      case ShapeKind::kHull:
-        return n;
-    }
-    return 0;
+    if (kind == ShapeKind::kHull) return n;
+    return kind == ShapeKind::kTriangle ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1);
   }
 
   /// Place of control point (i, j) in the order above.
@@ -91,22 +80,22 @@ struct Shape {
   template <class S>
   bool contains(const std::array<S, 2>& uv) const {
     const S zero(0), one(1);
-    switch (kind) {
-      case ShapeKind::kPoint:
-      case ShapeKind::kHull:
-        return uv[0] == zero && uv[1] == zero;
-      case ShapeKind::kCurve:
-        return zero <= uv[0] && uv[0] <= one && uv[1] == zero;
-      case ShapeKind::kTriangle:
-        return zero <= uv[0] && zero <= uv[1] && uv[0] <= S(one - uv[1]);
-      case ShapeKind::kTensor:
-        return zero <= uv[0] && uv[0] <= one && zero <= uv[1] && uv[1] <= one;
+    for (int k = 0; k < 2; ++k) {
+      const S& x = uv[static_cast<std::size_t>(k)];
+      if (k < parameter_count() ? !(zero <= x && x <= one) : !(x == zero)) return false;
     }
-    return false;
+    return kind != ShapeKind::kTriangle || uv[0] <= S(one - uv[1]);
   }
 
   friend constexpr bool operator==(const Shape&, const Shape&) = default;
 };
+
+/// The binomial coefficient: of a Bernstein polynomial of degree n ≤ kMaxDegree, at most 70.
+constexpr int choose(int n, int k) {
+  int c = 1;
+  for (int i = 0; i < k; ++i) c = c * (n - i) / (i + 1);
+  return c;
+}
 
 /// Points, curves of degree 1 and triangles of degree 1, with at most two parameters in all. So:
 /// vertex-face and edge-edge, and what they degenerate to.

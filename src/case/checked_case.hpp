@@ -31,7 +31,8 @@ class CheckedCase {
   friend bool operator==(const CheckedCase&, const CheckedCase&) = default;
 
  private:
-  friend class CaseCheck;  // certify/checker/check_case.cpp
+  friend Result<CheckedCase> check_case(Case value, std::string_view tree);
+  friend CheckedCase checked_or_unknown(const Case& value, std::string_view tree);
   CheckedCase(Case value, bool clearance_holds)
       : value_(std::move(value)), clearance_holds_(clearance_holds) {}
 

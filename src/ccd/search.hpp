@@ -82,30 +82,29 @@ inline int depth_for(double precision) {
   return std::clamp(1 - exponent, 0, Cell::kMaxDepth);
 }
 
-/// The parts of two patches' domains that count.
-struct PairRegions {
-  std::array<TrimRegion, 2> sides;
-
-  void assign(const Query& query) {
-    for (size_t s = 0; s < 2; ++s) sides[s].assign(query.patches[s]);
-  }
-  /// Bit s where a loop meets patch s.
-  unsigned crossed() const {
-    return (sides[0].is_whole() ? 0U : 1U) | (sides[1].is_whole() ? 0U : 2U);
-  }
-};
-
-/// The parts that one split of a pair of cells makes; at first, both patches whole.
+/// The parts that one split of a pair of cells makes, or both patches whole.
 struct PairParts {
   std::array<std::array<Cell, 4>, 2> cells{};
-  std::array<int, 2> count = {1, 1};
+  std::array<int, 2> count{};
+  /// Where the patches' loops are.
+  std::array<TrimRegion, 2> regions;
   /// Parts of crossed cells; of others none is outside, and none crossed.
   std::array<TrimRegion::Children, 2> in_domain{};
 
-  /// After split, of cells of which those of the sides in `crossed` are crossed.
-  void trim(const PairRegions& regions, const std::array<Cell, 2>& parents, unsigned crossed) {
+  /// The whole patches of a query. Keeps the memory.
+  void assign(const Query& query) {
+    count = {1, 1};
     for (size_t side = 0; side < 2; ++side) {
-      in_domain[side] = (crossed >> side & 1) != 0 ? regions.sides[side].children(parents[side])
+      cells[side][0] = {};
+      regions[side].assign(query.patches[side]);
+      in_domain[side] = {0, regions[side].is_whole() ? 0U : 1U};
+    }
+  }
+
+  /// After split, of cells of which those of the sides in `crossed` are crossed.
+  void trim(const std::array<Cell, 2>& parents, unsigned crossed) {
+    for (size_t side = 0; side < 2; ++side) {
+      in_domain[side] = (crossed >> side & 1) != 0 ? regions[side].children(parents[side])
                                                    : TrimRegion::Children{};
     }
   }
@@ -113,6 +112,7 @@ struct PairParts {
   bool counts(int a, int b) const {
     return ((in_domain[0].outside >> a | in_domain[1].outside >> b) & 1) == 0;
   }
+  /// Bit s where a loop of patch s meets its part.
   unsigned crossed(int a, int b) const {
     return (in_domain[0].crossed >> a & 1) | (in_domain[1].crossed >> b & 1) << 1;
   }
@@ -222,12 +222,9 @@ class Search {
     pushed_ = 0;
 
     inclusion_.begin(query);
-    regions_.assign(query);
-    PairParts parts;
-    parts.prepare(inclusion_);
-    if (const auto w = inclusion_.test(0, 0, Window{0, query.t_max})) {
-      push(*w, {}, regions_.crossed());
-    }
+    parts_.assign(query);
+    parts_.prepare(inclusion_);
+    if (const auto w = inclusion_.test(0, 0, Window{0, query.t_max})) push(*w, 0, 0);
 
     while (!queue_.empty()) {
       const double earliest = queue_[0].window.lo;
@@ -243,20 +240,18 @@ class Search {
         for (int s = 0; s < 2; ++s) answer.uv[s] = entry.cells[s].centre(shapes[s]);
         return answer;
       }
-      parts.split(shapes, entry.cells);
-      parts.trim(regions_, entry.cells, entry.crossed());
-      parts.prepare(inclusion_);
+      parts_.split(shapes, entry.cells);
+      parts_.trim(entry.cells, entry.crossed());
+      parts_.prepare(inclusion_);
       for (const Window& window : time_parts<Inclusion>(entry.window)) {
-        for (int a = 0; a < parts.count[0]; ++a) {
-          for (int b = 0; b < parts.count[1]; ++b) {
-            if (!parts.counts(a, b)) continue;
+        for (int a = 0; a < parts_.count[0]; ++a) {
+          for (int b = 0; b < parts_.count[1]; ++b) {
+            if (!parts_.counts(a, b)) continue;
             if (deadline.passed(work_of_test)) return give_up(answer, entry.window.lo, "time");
             if (exact_work(inclusion_) > options.max_work) {
               return give_up(answer, entry.window.lo, "work");
             }
-            if (const auto w = inclusion_.test(a, b, window)) {
-              push(*w, {parts.cells[0][a], parts.cells[1][b]}, parts.crossed(a, b));
-            }
+            if (const auto w = inclusion_.test(a, b, window)) push(*w, a, b);
           }
         }
       }
@@ -265,8 +260,10 @@ class Search {
     return answer;
   }
 
-  void push(const Window& window, const std::array<Cell, 2>& cells, unsigned crossed) {
-    queue_.push({window, cells, 4 * pushed_++ + crossed});
+  /// Parts a and b.
+  void push(const Window& window, int a, int b) {
+    queue_.push(
+        {window, {parts_.cells[0][a], parts_.cells[1][b]}, 4 * pushed_++ + parts_.crossed(a, b)});
   }
 
   /// Undecided, with the earliest time at which a contact may still be.
@@ -278,7 +275,7 @@ class Search {
   }
 
   Inclusion inclusion_;
-  PairRegions regions_;
+  PairParts parts_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
 };

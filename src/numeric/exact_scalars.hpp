@@ -51,22 +51,10 @@ inline Vec3<Dyadic> exact_dyadic(const Vec3<double>& v) {
 
 /// S is the number type of an exact or double computation; this is the only way a double enters.
 template <class S>
-S from_double(double x);
-template <>
-inline double from_double<double>(double x) {
-  return x;
-}
-template <>
-inline Rational from_double<Rational>(double x) {
-  return exact(x);
-}
-template <>
-inline Dyadic from_double<Dyadic>(double x) {
-  return Dyadic::exact(x);
-}
-template <>
-inline Fraction from_double<Fraction>(double x) {
-  return Dyadic::exact(x);
+S from_double(double x) {
+  if constexpr (std::is_same_v<S, double>) return x;
+  if constexpr (std::is_same_v<S, Rational>) return exact(x);
+  if constexpr (std::is_same_v<S, Dyadic> || std::is_same_v<S, Fraction>) return Dyadic::exact(x);
 }
 
 }  // namespace ccdfuzz

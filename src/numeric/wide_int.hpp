@@ -105,12 +105,7 @@ class WideInt {
   }
 
   constexpr WideInt& operator-=(const WideInt& o) {
-    Limb borrow = 0;
-    for (std::size_t i = 0; i < kLimbs; ++i) {
-      const Double difference = Double{limbs_[i]} - o.limbs_[i] - borrow;
-      limbs_[i] = static_cast<Limb>(difference);
-      borrow = static_cast<Limb>(difference >> 64) & 1;
-    }
+    subtract_above<0>(o, true);
     return *this;
   }
 
@@ -124,14 +119,7 @@ class WideInt {
       limbs_[i] = static_cast<Limb>(product);
       carry = static_cast<Limb>(product >> 64);
     }
-    if (b < 0) {
-      Limb borrow = 0;
-      for (std::size_t i = 1; i < kLimbs; ++i) {
-        const Double difference = Double{limbs_[i]} - before.limbs_[i - 1] - borrow;
-        limbs_[i] = static_cast<Limb>(difference);
-        borrow = static_cast<Limb>(difference >> 64) & 1;
-      }
-    }
+    if (b < 0) subtract_above<1>(before, true);
     return *this;
   }
 
@@ -165,7 +153,7 @@ class WideInt {
   constexpr void subtract_above(const WideInt<Less>& x, bool at_all) {
     const Limb mask = at_all ? ~Limb{0} : 0;
     Limb borrow = 0;
-    for (std::size_t i = 0; i < Less / 64; ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(Less / 64, kLimbs - Place); ++i) {
       const Double difference = Double{limbs_[Place + i]} - (x.limbs_[i] & mask) - borrow;
       limbs_[Place + i] = static_cast<Limb>(difference);
       borrow = static_cast<Limb>(difference >> 64) & 1;

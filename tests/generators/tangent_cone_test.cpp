@@ -55,12 +55,12 @@ TEST(TangentCone, ACommonNormalIsRightAndIsFoundIfThereIsOne) {
       EXPECT_TRUE(is_common_normal(*normal, above, level)) << "key " << key;
       ++found;
     } else {
-      Eigen::Matrix<Dyadic, 3, 3> first;
+      std::array<Vec3<Dyadic>, 3> first;
       for (int i = 0; i < 3; ++i) {
-        first.col(i) = i < level_count ? level[i] : above[i - level_count];
+        first[static_cast<size_t>(i)] = i < level_count ? level[i] : above[i - level_count];
       }
       // The promise is for vectors that span space.
-      if (dot<Dyadic>(first.col(0), cross<Dyadic>(first.col(1), first.col(2))).sign() != 0) {
+      if (dot(first[0], cross(first[1], first[2])).sign() != 0) {
         EXPECT_FALSE(one_exists(above, level)) << "key " << key;
         ++missing;
       }

@@ -96,7 +96,7 @@ TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
            !volume.is_zero() && squarefree(volume).degree() < volume.degree());
       if (edges) {
         const auto at_start = [](const PolyVector& v) {
-          return v[0].at(0) == 0 && v[1].at(0) == 0 && v[2].at(0) == 0;
+          return v[0].sign_at(0) == 0 && v[1].sign_at(0) == 0 && v[2].sign_at(0) == 0;
         };
         const bool parallel = is_zero(normal) && !is_zero(a) && !is_zero(b);
         note("edges parallel at the start", at_start(normal) && !at_start(a) && !at_start(b));

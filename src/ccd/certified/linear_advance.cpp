@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bezier/bernstein.hpp"
 #include "ccd/certified/linear_differences.hpp"
 #include "ccd/certified/projection.hpp"
 #include "ccd/next_double.hpp"
@@ -43,8 +44,8 @@ double unit_clamp(double x) {
 /// Weights x, y of the point d + x·e − y·f nearest to the origin, x and y in [0, 1]. Where edges
 /// are parallel but for rounding, the point may be farther by about 2^-26 of the size.
 std::array<double, 2> nearest_of_edges(const Axis& d, const Axis& e, const Axis& f) {
-  const double ee = dot_of(e, e), ff = dot_of(f, f), ef = dot_of(e, f);
-  const double de = dot_of(d, e), df = dot_of(d, f);
+  const double ee = dot(e, e), ff = dot(f, f), ef = dot(e, f);
+  const double de = dot(d, e), df = dot(d, f);
   const double area = ee * ff - ef * ef;
   double x = area > 0 ? unit_clamp((ef * df - ff * de) / area) : 0.5;
   double y = ff > 0 ? (df + x * ef) / ff : 0;
@@ -62,10 +63,10 @@ Axis shortest_between_edges(const Axis& d, const Axis& e, const Axis& f) {
   double least = std::numeric_limits<double>::infinity();
   // `from` and an edge that begins at the origin.
   const auto consider = [&](const Axis& from, const Axis& edge) {
-    const double length = dot_of(edge, edge);
-    const double share = length > 0 ? unit_clamp(dot_of(from, edge) / length) : 0;
+    const double length = dot(edge, edge);
+    const double share = length > 0 ? unit_clamp(dot(from, edge) / length) : 0;
     const Axis between = minus(from, scaled(edge, share));
-    if (const double squared = dot_of(between, between); squared < least) {
+    if (const double squared = dot(between, between); squared < least) {
       least = squared;
       shortest = between;
     }
@@ -76,8 +77,8 @@ Axis shortest_between_edges(const Axis& d, const Axis& e, const Axis& f) {
   consider(d, back);
   consider(minus(d, f), back);
   // From the cross product, as a difference of dot products loses the square of the angle.
-  if (const double squared = dot_of(normal, normal); squared > 0) {
-    const double x = unit_clamp(dot_of(cross(f, d), normal) / squared);
+  if (const double squared = dot(normal, normal); squared > 0) {
+    const double x = unit_clamp(dot(cross(f, d), normal) / squared);
     consider(plus(d, scaled(e, x)), f);
   }
   return shortest;
@@ -87,14 +88,14 @@ Axis shortest_between_edges(const Axis& d, const Axis& e, const Axis& f) {
 /// inside. The nearer one counts, as rounding may say inside where the corners are on a line.
 std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& c) {
   const Axis ab = minus(b, a), ac = minus(c, a);
-  const double b1 = -dot_of(ab, a), c1 = -dot_of(ac, a);
-  const double b2 = -dot_of(ab, b), c2 = -dot_of(ac, b);
-  const double b3 = -dot_of(ab, c), c3 = -dot_of(ac, c);
+  const double b1 = -dot(ab, a), c1 = -dot(ac, a);
+  const double b2 = -dot(ab, b), c2 = -dot(ac, b);
+  const double b3 = -dot(ab, c), c3 = -dot(ac, c);
   std::array<double, 2> nearest{};
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](double of_b, double of_c) {
     const Axis p = plus(a, plus(scaled(ab, of_b), scaled(ac, of_c)));
-    if (const double squared = dot_of(p, p); squared < least) {
+    if (const double squared = dot(p, p); squared < least) {
       least = squared;
       nearest = {of_b, of_c};
     }
@@ -114,22 +115,11 @@ std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& 
   return nearest;
 }
 
-/// The parameters of a face's point with these weights of control points 1 and 2, (0, 1) and (1,
-/// 0): inside of its domain, though a weight is rounded. One of 1 − c and 1 − v is exact.
-Uv<double> uv_of(double of_b, double of_c) {
-  const double v = std::min(of_b, 1 - of_c);
-  return {of_c, of_c > 1 - v ? next_down(v) : v};
-}
-
-/// Weights of control points 1 and 2 of a rational patch of degree 1 at the point where x are those
-/// of the patch without weights: in proportion to x/w.
-std::array<double, 2> with_weights(const std::array<double, 2>& x,
-                                   const std::vector<double>& weights) {
-  if (weights.empty()) return x;
-  const double first = std::max(0.0, (1 - x[0]) - x[1]) / weights[0], second = x[0] / weights[1],
-               third = weights.size() < 3 ? 0 : x[1] / weights[2];
-  const double sum = (first + second) + third;
-  return sum > 0 ? std::array{second / sum, third / sum} : x;
+/// Inside of a face's domain, though they are rounded. One of 1 − u and 1 − v is exact.
+Uv<double> inside_of_face(const Uv<double>& uv) {
+  const auto& [u, v_or_more] = uv;
+  const double v = std::min(v_or_more, 1 - u);
+  return {u, u > 1 - v ? next_down(v) : v};
 }
 
 class ConservativeAdvancement {
@@ -178,8 +168,8 @@ class ConservativeAdvancement {
     int above = 0, below = 0;
     for (int i = 0; i < differences_.count; ++i) {
       const auto n = static_cast<size_t>(i);
-      height[n] = dot_of(l, differences_.start[n]);
-      slope[n] = dot_of(l, differences_.way[n]);
+      height[n] = dot(l, differences_.start[n]);
+      slope[n] = dot(l, differences_.way[n]);
       const double now = slope[n] * time_ + height[n];
       above += now > e;
       below += now < -e;
@@ -299,16 +289,18 @@ std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, doubl
   const Differences differences(query);
   const Axis a = differences.at(0, t), b = differences.at(1, t), c = differences.at(2, t);
   std::array<Uv<double>, 2> uv{};
+  const auto with_weights = [&](size_t s, const Uv<double>& at) {
+    return parameters_with_weights(query.shapes[s], query.weights[s], at);
+  };
   if (differences.is_face) {
     const auto side = static_cast<size_t>(differences.face_side);
-    const auto [of_b, of_c] = with_weights(nearest_of_face(a, b, c), query.weights[side]);
-    uv[side] = uv_of(of_b, of_c);
+    const auto [v, u] = nearest_of_face(a, b, c);
+    uv[side] = inside_of_face(with_weights(side, {u, v}));
     return uv;
   }
   const std::array<double, 2> nearest = nearest_of_edges(a, minus(b, a), minus(a, c));
   for (size_t s = 0; s < 2; ++s) {
-    if (query.shapes[s].kind != ShapeKind::kCurve) continue;
-    uv[s][0] = with_weights({nearest[s], 0}, query.weights[s])[0];
+    if (query.shapes[s].kind == ShapeKind::kCurve) uv[s] = with_weights(s, {nearest[s], 0});
   }
   return uv;
 }

@@ -8,10 +8,6 @@
 
 namespace ccdfuzz::certified {
 
-inline double dot_of(const Axis& a, const Axis& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 /// The differences of all pairs of control points, D + t·W: the patches touch iff the origin is in
 /// their convex hull. Four for edges, where a point is an edge of no extent; three for a face.
 /// Laws C and L9 count the roundings of D, W and D + t·W.

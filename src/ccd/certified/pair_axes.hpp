@@ -8,9 +8,6 @@
 
 namespace ccdfuzz::certified {
 
-inline Axis cross(const Axis& a, const Axis& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline Axis minus(const Axis& a, const Axis& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -39,36 +36,30 @@ struct CornerFrame {
 
 template <class PointAt>
 CornerFrame::CornerFrame(const Shape& shape, const PointAt& point_at) {
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
   const Axis origin = point_at(0);
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      middle = origin;
-      return;
-    case ShapeKind::kCurve: {
-      const Axis end = point_at(shape.n);
-      edges[0] = minus(end, origin);
-      edge_count = 1;
-      for (int k = 0; k < 3; ++k) middle[k] = 0.5 * (origin[k] + end[k]);
-      return;
-    }
-    case ShapeKind::kTriangle: {
-      const Axis u = point_at(shape.index(shape.n, 0)), v = point_at(shape.index(0, shape.n));
-      edges = {minus(u, origin), minus(v, origin), minus(v, u)};
-      edge_count = 3;
-      for (int k = 0; k < 3; ++k) middle[k] = (origin[k] + u[k] + v[k]) / 3;
-      break;
-    }
-    case ShapeKind::kTensor: {
-      const Axis u = point_at(shape.index(shape.n, 0)), v = point_at(shape.index(0, shape.m));
-      const Axis uv = point_at(shape.index(shape.n, shape.m));
-      edges[0] = plus(minus(u, origin), minus(uv, v));
-      edges[1] = plus(minus(v, origin), minus(uv, u));
-      edge_count = 2;
-      for (int k = 0; k < 3; ++k) middle[k] = 0.25 * ((origin[k] + u[k]) + (v[k] + uv[k]));
-      break;
-    }
+  if (shape.kind == ShapeKind::kPoint) {
+    middle = origin;
+    return;
+  }
+  const Axis u = point_at(shape.index(shape.n, 0));
+  if (shape.kind == ShapeKind::kCurve) {
+    edge_count = 1;
+    edges[0] = minus(u, origin);
+    for (int k = 0; k < 3; ++k) middle[k] = 0.5 * (origin[k] + u[k]);
+    return;
+  }
+  const Axis v = point_at(shape.index(0, shape.last_column(0)));
+  if (shape.kind == ShapeKind::kTriangle) {
+    edge_count = 3;
+    edges = {minus(u, origin), minus(v, origin), minus(v, u)};
+    for (int k = 0; k < 3; ++k) middle[k] = (origin[k] + u[k] + v[k]) / 3;
+  } else {
+    const Axis uv = point_at(shape.index(shape.n, shape.m));
+    edge_count = 2;
+    edges[0] = plus(minus(u, origin), minus(uv, v));
+    edges[1] = plus(minus(v, origin), minus(uv, u));
+    for (int k = 0; k < 3; ++k) middle[k] = 0.25 * ((origin[k] + u[k]) + (v[k] + uv[k]));
   }
   normal = cross(edges[0], edges[1]);
 }

@@ -104,8 +104,8 @@ Found RoughSearch::decide(const Instant& a, const Instant& b) {
   // The determinant's coefficients in Bernstein's basis, those inside three times.
   const Axis before = cross(p[1], p[2]), after = cross(q[1], q[2]);
   const Axis mixed = plus(cross(p[1], q[2]), cross(q[1], p[2]));
-  const double d0 = dot_of(p[0], before), d1 = dot_of(q[0], before) + dot_of(p[0], mixed),
-               d2 = dot_of(p[0], after) + dot_of(q[0], mixed), d3 = dot_of(q[0], after);
+  const double d0 = dot(p[0], before), d1 = dot(q[0], before) + dot(p[0], mixed),
+               d2 = dot(p[0], after) + dot(q[0], mixed), d3 = dot(q[0], after);
   if (sign_beyond(of_determinant, d0, d1, d2, d3) != 0) return Found::kNone;
 
   const int at_start = sign_beyond(of_determinant, d0), at_end = sign_beyond(of_determinant, d3);

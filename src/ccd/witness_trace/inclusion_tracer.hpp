@@ -27,23 +27,21 @@ class InclusionTracer {
     const int target = depth_for(options.precision);
 
     inclusion_.begin(query);
-    regions_.assign(query);
-    PairParts parts;
-    parts.prepare(inclusion_);
+    parts_.assign(query);
+    parts_.prepare(inclusion_);
     now_.clear();
     for (auto* level : {&now_, &next_}) level->reserve(kMostOfLevel);
-    parts.in_domain = {{{0, regions_.crossed() & 1}, {0, regions_.crossed() >> 1}}};
-    test(parts, {0, 0}, Window{0, query.t_max}, now_);
+    test({0, 0}, Window{0, query.t_max}, now_);
     for (int level = 0; level < target && !now_.empty(); ++level) {
       next_.clear();
       for (const Pair& pair : now_) {
-        parts.split(shapes, pair.cells);
-        parts.trim(regions_, pair.cells, pair.crossed);
-        parts.prepare(inclusion_);
-        const ChildChoices choices(path_, parts, options.all);
+        parts_.split(shapes, pair.cells);
+        parts_.trim(pair.cells, pair.crossed);
+        parts_.prepare(inclusion_);
+        const ChildChoices choices(path_, parts_, options.all);
         for (const Window& window : time_parts<Inclusion>(pair.window)) {
           if (!path_.time().within(window)) continue;
-          for (const std::array<int, 2>& children : choices) test(parts, children, window, next_);
+          for (const std::array<int, 2>& children : choices) test(children, window, next_);
           // Halves of a window of one time are the same.
           if (!options.all || pair.window.lo == pair.window.hi) break;
         }
@@ -60,19 +58,18 @@ class InclusionTracer {
     unsigned crossed;  ///< as Search has it
   };
 
-  void test(const PairParts& parts, const std::array<int, 2>& children, const Window& window,
-            std::vector<Pair>& kept) {
-    const std::array<Cell, 2> cells = {parts.cells[0][static_cast<size_t>(children[0])],
-                                       parts.cells[1][static_cast<size_t>(children[1])]};
+  void test(const std::array<int, 2>& children, const Window& window, std::vector<Pair>& kept) {
+    const std::array<Cell, 2> cells = {parts_.cells[0][static_cast<size_t>(children[0])],
+                                       parts_.cells[1][static_cast<size_t>(children[1])]};
     watch_.look_at({cells[0].depth, cells, window});
     const auto& [a, b] = children;
     std::optional<Window> left;
-    if (parts.counts(a, b)) left = inclusion_.test(a, b, window, &watch_);
-    if (watch_.judge(left)) kept.push_back({*left, cells, parts.crossed(a, b)});
+    if (parts_.counts(a, b)) left = inclusion_.test(a, b, window, &watch_);
+    if (watch_.judge(left)) kept.push_back({*left, cells, parts_.crossed(a, b)});
   }
 
   Inclusion inclusion_;
-  PairRegions regions_;
+  PairParts parts_;
   WitnessPath path_;
   WitnessWatch watch_;
   std::vector<Pair> now_, next_;

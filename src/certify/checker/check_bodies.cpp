@@ -226,8 +226,7 @@ Result<void> check_faces(const Query& query, const MeshClearance& clearance, Wor
 
 Result<void> check_body_contact(const Query& query, const Witness& witness,
                                 std::uint64_t most_work) {
-  return within_work(kWitness, most_work,
-                     [&](Work& work) { return check_contact_within(query, witness, work); });
+  return within_work(kWitness, most_work, check_contact_within, query, witness);
 }
 
 Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
@@ -240,8 +239,7 @@ Result<void> check_body_clearance(const Query& query, const BodyClearance& clear
 
 Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance,
                                   std::uint64_t most_work) {
-  return within_work(kBodyClear, most_work,
-                     [&](Work& work) { return check_faces(query, clearance, work); });
+  return within_work(kBodyClear, most_work, check_faces, query, clearance);
 }
 
 }  // namespace ccdfuzz

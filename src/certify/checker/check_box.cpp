@@ -51,7 +51,7 @@ bool in_region(const MovingPatch<double>& patch, const std::array<Dyadic, 2>& x,
   return is_on_one_edge(patch.trim, corners, work);
 }
 
-Result<void> check_within(const Query& query, const ContactBox& box, Work& work) {
+Result<void> check_box_within(const Query& query, const ContactBox& box, Work& work) {
   std::array<Dyadic, 5> centre, radius;
   for (size_t i = 0; i < 5; ++i) centre[i] = Dyadic::exact(box.centre[i]);
   std::array<Dyadic, 3> rho;
@@ -77,10 +77,9 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
   }
   if (centre[4] - radius[4] < Dyadic(0)) return refuse_box("the box reaches before t = 0");
 
-  std::array<Vec3<Dyadic>, 3> inverse;
+  std::array<std::array<Dyadic, 3>, 3> inverse;
   for (size_t i = 0; i < 3; ++i) {
-    const auto& [x, y, z] = box.inverse[i];
-    inverse[i] = exact_dyadic({x, y, z});
+    for (size_t j = 0; j < 3; ++j) inverse[i][j] = Dyadic::exact(box.inverse[i][j]);
   }
   const Dyadic determinant = dot(inverse[0], cross(inverse[1], inverse[2]));
   if (determinant.sign() == 0) return refuse_box("inverse: is singular");
@@ -96,9 +95,8 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
       Dyadic value;
       for (size_t k = 0; k < 3; ++k) {
         const Dyadic& coefficient = term.coefficient[static_cast<Eigen::Index>(k)];
-        const Dyadic& factor = inverse[i][static_cast<Eigen::Index>(k)];
-        work.charge(product_work(factor, coefficient));
-        value += factor * coefficient;
+        work.charge(product_work(inverse[i][k], coefficient));
+        value += inverse[i][k] * coefficient;
       }
       work.charge(product_work(value, size));
       if (term.degree() == 1 && term.power[i] == 1) value -= Dyadic(1);
@@ -117,8 +115,7 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
 }  // namespace
 
 Result<void> check_box(const Query& query, const ContactBox& box, std::uint64_t most_work) {
-  return within_work("truth.certificate.contact", most_work,
-                     [&](Work& work) { return check_within(query, box, work); });
+  return within_work("truth.certificate.contact", most_work, check_box_within, query, box);
 }
 
 }  // namespace ccdfuzz

@@ -23,32 +23,20 @@ Result<void> check_absence(const Case& value, std::string_view tree) {
   return check_clearance(value.query, *truth.clearance, tree);
 }
 
-/// The one maker of a CheckedCase that knows something.
-class CaseCheck {
- public:
-  static Result<CheckedCase> check(Case value, std::string_view tree) {
-    CCDFUZZ_TRY_VOID(check_truth(value));
-    const bool has_clearance = value.truth.clearance.has_value();
-    if (has_clearance) {
-      CCDFUZZ_TRY_VOID(check_absence(value, tree));
-    }
-    return CheckedCase(std::move(value), has_clearance);
-  }
-
-  static CheckedCase unknown(const Case& value) {
-    Case bare = value;
-    bare.truth = {};
-    return {std::move(bare), false};
-  }
-};
-
 Result<CheckedCase> check_case(Case value, std::string_view tree) {
-  return CaseCheck::check(std::move(value), tree);
+  CCDFUZZ_TRY_VOID(check_truth(value));
+  const bool has_clearance = value.truth.clearance.has_value();
+  if (has_clearance) {
+    CCDFUZZ_TRY_VOID(check_absence(value, tree));
+  }
+  return CheckedCase(std::move(value), has_clearance);
 }
 
 CheckedCase checked_or_unknown(const Case& value, std::string_view tree) {
-  auto checked = check_case(value, tree);
-  return checked ? *std::move(checked) : CaseCheck::unknown(value);
+  if (auto checked = check_case(value, tree)) return *std::move(checked);
+  Case bare = value;
+  bare.truth = {};
+  return {std::move(bare), false};
 }
 
 CheckedCase checked_contact(Case value) {

@@ -352,14 +352,12 @@ bool is_linear_query(const Query& query) {
 
 Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,
                                     std::uint64_t most_work) {
-  return within_work(kClear, most_work,
-                     [&](Work& work) { return check_clearance_within(query, clearance, work); });
+  return within_work(kClear, most_work, check_clearance_within, query, clearance);
 }
 
 Result<void> check_contact_root(const Query& query, const ContactRoot& root,
                                 std::uint64_t most_work) {
-  return within_work(kRoot, most_work,
-                     [&](Work& work) { return check_root_within(query, root, work); });
+  return within_work(kRoot, most_work, check_root_within, query, root);
 }
 
 }  // namespace ccdfuzz

@@ -19,7 +19,7 @@ tl::unexpected<InputError> refuse_plane(std::string what) {
 
 std::vector<Dyadic> along(const Vec3<Dyadic>& normal, const Points<Dyadic>& points) {
   std::vector<Dyadic> out;
-  for (const Vec3<Dyadic>& p : points) out.push_back(dot<Dyadic>(normal, p));
+  for (const Vec3<Dyadic>& p : points) out.push_back(dot(normal, p));
   return out;
 }
 
@@ -38,7 +38,7 @@ void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
   work.charge(points * kOperations * fraction_work(words));
 }
 
-Result<void> check_within(const Query& query, const MovingPlane& plane, Work& work) {
+Result<void> check_plane_within(const Query& query, const MovingPlane& plane, Work& work) {
   charge_for(query, plane, work);
   if (query.separation > 0) {
     return refuse_plane(
@@ -79,8 +79,7 @@ Result<void> check_within(const Query& query, const MovingPlane& plane, Work& wo
 }  // namespace
 
 Result<void> check_plane(const Query& query, const MovingPlane& plane, std::uint64_t most_work) {
-  return within_work("truth.certificate.clear", most_work,
-                     [&](Work& work) { return check_within(query, plane, work); });
+  return within_work("truth.certificate.clear", most_work, check_plane_within, query, plane);
 }
 
 }  // namespace ccdfuzz

@@ -386,14 +386,12 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
 
 Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
                               const Rational& until, std::uint64_t most_work) {
-  return within_work(kPlanes, most_work,
-                     [&](Work& work) { return check_between(query, plane, until, work); });
+  return within_work(kPlanes, most_work, check_between, query, plane, until);
 }
 
 Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
                                std::uint64_t most_work) {
-  return within_work(kPlanes, most_work,
-                     [&](Work& work) { return check_planes_of_bodies(query, clearance, work); });
+  return within_work(kPlanes, most_work, check_planes_of_bodies, query, clearance);
 }
 
 }  // namespace ccdfuzz

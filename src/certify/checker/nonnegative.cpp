@@ -14,12 +14,6 @@ bool all_nonnegative(const std::vector<Rational>& coefficients) {
   return std::ranges::all_of(coefficients, [](const Rational& c) { return c >= 0; });
 }
 
-Rational choose(int n, int k) {
-  Rational value = 1;
-  for (int i = 0; i < k; ++i) value = value * (n - i) / (i + 1);
-  return value;
-}
-
 /// The coefficients of 1, u, v, u², uv and v²; nullopt if there are higher terms.
 std::optional<std::array<Rational, 6>> low_terms(const Shape& shape, std::vector<Rational> c) {
   const auto at = [&](int i, int j) -> Rational& {

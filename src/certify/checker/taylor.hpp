@@ -34,13 +34,6 @@ Directions<S> triangle_directions(const S& x, const S& y, int dependent) {
   return d;
 }
 
-template <class S>
-S binomial(int n, int k) {
-  int c = 1;
-  for (int i = 0; i < k; ++i) c = c * (n - i) / (i + 1);
-  return S(c);
-}
-
 /// count copies of `along`, the rest `at`.
 template <class S>
 std::vector<Weights<S>> arguments(int degree, const Weights<S>& at, int count,
@@ -122,7 +115,7 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
           second = arguments<S>(shape.m, {S(1) - y, y, S(0)}, j, along);
         }
         const Moving<S>& b = polar(shape, net, first, second);
-        const S factor = binomial<S>(shape.n, i) * binomial<S>(degree_y, j);
+        const S factor(choose(shape.n, i) * choose(degree_y, j));
         std::array<int, 3> power{};
         if (px >= 0) power[static_cast<size_t>(px)] = i;
         if (py >= 0) power[static_cast<size_t>(py)] = j;

@@ -84,13 +84,13 @@ class Work {
   std::uint64_t most_, left_;
 };
 
-/// check(work). Errors: those of check; it exceeds the budget, naming `where` (is_limit).
-template <class Check>
-auto within_work(const char* where, std::uint64_t most, const Check& check)
-    -> decltype(check(std::declval<Work&>())) {
+/// check(of..., work). Errors: those of check; it exceeds the budget, naming `where` (is_limit).
+template <class Check, class... Of>
+auto within_work(const char* where, std::uint64_t most, const Check& check, const Of&... of)
+    -> decltype(check(of..., std::declval<Work&>())) {
   Work work(most);
   try {
-    return check(work);
+    return check(of..., work);
   } catch (const Work::Exceeded&) {
     return tl::unexpected<InputError>(
         {where, fmt::format("exceeds the work budget of {} operations on 64-bit words", most),

@@ -98,7 +98,7 @@ std::array<Uv<Rational>, 2> parameters_at(const Patches& patches, const Corners&
       const int place = corners[c][s];
       if (place > 0) uv[s][is_triangle && place == 1 ? 1 : 0] += weights[c];
     }
-    uv[s] = parameters_with_weights(patches[s], uv[s]);
+    uv[s] = parameters_with_weights(patches[s].shape, patches[s].weights, uv[s]);
   }
   return uv;
 }

@@ -5,26 +5,14 @@
 
 namespace ccdfuzz::linear {
 
-namespace {
-
-MovingVector cross_of(const MovingVector& a, const MovingVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Polynomial dot_of(const MovingVector& a, const MovingVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-}  // namespace
-
 OriginInTriangle::OriginInTriangle(const std::array<MovingVector, 3>& p) {
   std::array<MovingVector, 3> n;
-  for (size_t i = 0; i < 3; ++i) n[i] = cross_of(p[(i + 1) % 3], p[(i + 2) % 3]);
-  det_ = dot_of(p[0], n[0]);
+  for (size_t i = 0; i < 3; ++i) n[i] = cross(p[(i + 1) % 3], p[(i + 2) % 3]);
+  det_ = dot(p[0], n[0]);
   for (size_t i = 0; i < 3; ++i) {
-    same_side_[i] = dot_of(n[(i + 1) % 3], n[(i + 2) % 3]);
-    dots_[i] = dot_of(p[(i + 1) % 3], p[(i + 2) % 3]);
-    spread_ += dot_of(n[i], n[i]);
+    same_side_[i] = dot(n[(i + 1) % 3], n[(i + 2) % 3]);
+    dots_[i] = dot(p[(i + 1) % 3], p[(i + 2) % 3]);
+    spread_ += dot(n[i], n[i]);
   }
 }
 

@@ -14,12 +14,6 @@ void Polynomial::trim() {
   while (!coefficients_.empty() && coefficients_.back() == 0) coefficients_.pop_back();
 }
 
-Rational Polynomial::at(const Rational& x) const {
-  Rational sum = 0;
-  for (int k = degree(); k >= 0; --k) sum = sum * x + (*this)[k];
-  return sum;
-}
-
 int Polynomial::sign_at(const Rational& x) const {
   // d^degree · p(n/d) by Horner's rule in integers: no gcd is taken.
   const Integer &n = x.get_num(), &d = x.get_den();

@@ -22,8 +22,7 @@ class Polynomial {
   const Integer& leading() const { return coefficients_.back(); }
   const std::vector<Integer>& coefficients() const { return coefficients_; }
 
-  Rational at(const Rational& x) const;
-  /// The sign of at(x).
+  /// The sign of the value at x.
   int sign_at(const Rational& x) const;
 
   Polynomial derivative() const;
