@@ -58,7 +58,8 @@ std::optional<InputError> fault_of(const BodyTurn& turn) {
   const int sign = product_of(turn.from, turn.to).sign();
   if (sign > 0) return std::nullopt;
   const char* const help = sign < 0 && turn.is_quaternion() ? ": give -to, the same rotation" : "";
-  return InputError{"to", fmt::format("from·to is not > 0{}", help)};
+  return InputError{"to", fmt::format("[{}] makes from·to {}, and it must be > 0{}",
+                                      fmt::join(turn.to, ", "), sign < 0 ? "< 0" : "0", help)};
 }
 
 }  // namespace ccdfuzz
