@@ -95,7 +95,8 @@ Column<HuntCell> mean_column() {
   return column;
 }
 
-/// How many mutants each method was asked, and how many of them its tests lost, if any is traced.
+/// How many mutants each method was asked about, or traced, and how many of them its tests lost, if
+/// any is traced.
 void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
                         const std::vector<HuntCell>& cells) {
   columns.push_back({{"mutants"}, [](const HuntCell& cell) {
@@ -169,8 +170,9 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::st
     row.tally.seconds = {};  // a hunt is no measurement of times
     report.rows.push_back(std::move(row));
   }
-  report.tables.push_back(
-      {"hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells, true)});
+  std::string what = "What the hunt asked, bred and lost\n" + mark_note(asked);
+  what.pop_back();
+  report.tables.push_back({"hunt", what, hunt_table(hunted.cells, true)});
   CCDFUZZ_TRY(const std::vector<NamedCase> entries, store.load());
   std::set<std::string> found;
   for (const Find& find : hunted.finds) {

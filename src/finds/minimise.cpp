@@ -94,11 +94,12 @@ class Minimiser {
   /// Nothing where that is not a truth about which methods fail so.
   std::optional<Case> decided(const Query& query) const {
     Case value{query, {}, {}};
+    // A cast of bodies goes somewhere.
+    if (is_of_bodies(query) && query.t_max == 0 && found_.query.t_max > 0) return std::nullopt;
     if (failure_ == Outcome::kError) return value;
     if (is_of_bodies(query)) {
       const std::optional<Case> made = case_of_bodies(query);
-      const bool goes_nowhere = query.t_max == 0 && found_.query.t_max > 0;  // a cast
-      if (!made || made->origin.contact != contact_ || goes_nowhere) return std::nullopt;
+      if (!made || made->origin.contact != contact_) return std::nullopt;
       value = *made;
     } else if (is_decided_linearly(query)) {
       // Linear patches alone always have a proof, and it needs no file beside the case.

@@ -272,7 +272,9 @@ void offer_rounded(const Contact& q, const Offer& offer) {
   for (const int bits : kBits) {
     const bool taken = offer_changed(q, offer, [&](Query& next) {
       for (MovingPatch<double>& patch : next.patches) {
-        for_each_number(patch, [&](double& x) { x = with_bits(x, bits); });
+        const auto round = [&](double& x) { x = with_bits(x, bits); };
+        for_each_coordinate(patch, round);
+        for_each_turn_number(patch, round);
       }
     });
     if (taken) break;

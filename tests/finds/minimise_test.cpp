@@ -214,6 +214,12 @@ TEST(Minimise, AnErrorNeedsNoTruth) {
   EXPECT_LE(size_of(small.value.query).significant_bits, 1U) << to_json(small.value);
 }
 
+TEST(Minimise, AnErrorOfBodiesStaysACastThatGoesSomewhere) {
+  const Case found = drawn(ContactClass::kVF, CaseKind::kRP, 0, Family::kBodies);
+  const Minimised small = minimise(found, Outcome::kError, [](const Case&) { return true; });
+  EXPECT_GT(small.value.query.t_max, 0) << to_json(small.value);
+}
+
 struct MissesAll : Method {
   Answered answer(const Query&, const SearchOptions&) override { return {Answer::miss()}; }
 };
