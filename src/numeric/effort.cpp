@@ -4,7 +4,7 @@
 
 #include <charconv>
 #include <cstdlib>
-#include <string_view>
+#include <string>
 
 namespace ccdfuzz {
 
@@ -12,7 +12,7 @@ Result<std::uint64_t> effort() {
   constexpr std::uint64_t kMost = 1'000'000;
   const char* const set = std::getenv("CCDFUZZ_EFFORT");
   if (set == nullptr || *set == '\0') return 1;
-  const std::string_view text = set;
+  const std::string text = set;
   const char* const end = text.data() + text.size();
   std::uint64_t factor = 0;
   const auto [rest, status] = std::from_chars(text.data(), end, factor);
