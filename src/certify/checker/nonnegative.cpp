@@ -78,9 +78,10 @@ std::vector<Rational> row_of(const Shape& shape, const std::vector<Rational>& co
   std::vector<Rational> row;
   const int last = by == 0 || shape.kind == ShapeKind::kTriangle ? shape.last_column(r) : shape.n;
   for (int k = 0; k <= last; ++k) {
-    const std::array places = {shape.index(r, k), shape.index(k, r),
-                               shape.index(shape.n - r - k, k)};
-    row.push_back(coefficients[static_cast<size_t>(places[by])]);
+    const int place = by == 0   ? shape.index(r, k)
+                      : by == 1 ? shape.index(k, r)
+                                : shape.index(shape.n - r - k, k);
+    row.push_back(coefficients[static_cast<size_t>(place)]);
   }
   return row;
 }
@@ -169,10 +170,11 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficient
   if (shape.kind == ShapeKind::kCurve) return false;
   const auto row = [&](size_t by, int r) { return row_of(shape, coefficients, by, r); };
   const auto has_rows = [&](size_t by) {
-    bool all = true;
     const int last = by == 0 ? shape.n : shape.last_column(0);
-    for (int r = 0; r <= last && all; ++r) all = is_nonnegative_row(row(by, r));
-    return all;
+    for (int r = 0; r <= last; ++r) {
+      if (!is_nonnegative_row(row(by, r))) return false;
+    }
+    return true;
   };
   if (has_rows(0) || has_rows(1)) return true;
   if (shape.kind == ShapeKind::kTriangle) return has_rows(2);
