@@ -379,5 +379,29 @@ TEST(PluginClaims, AreRefusedWhenTheyCannotBeReadOrAreOfNoKnownField) {
   }
 }
 
+TEST(PluginClaims, AreRefusedWhereNoQueryIsOfTheirSize) {
+  const auto accepting = [](const std::string& shape, std::uint64_t degree) {
+    return fmt::format(R"("accepts":[[{{"shape":"point"}},{{"shape":"{}","max_degree":{}}}]])",
+                       shape, degree);
+  };
+  const auto refusal_of = [](const std::string& claim) {
+    const auto read = read_description(fmt::format("{{\"protocol\":1,{}}}", claim));
+    return read ? "" : read.error().note;
+  };
+  const std::string where = "its description: accepts[0][1].max_degree: ";
+  EXPECT_EQ(refusal_of(accepting("triangle", 9)), where + "9 is outside 1..8");
+  EXPECT_EQ(refusal_of(accepting("curve", 0)), where + "0 is outside 1..8");
+  EXPECT_EQ(refusal_of(accepting("point", 9)), where + "9 is outside 0..8");
+  EXPECT_EQ(refusal_of(accepting("hull", 82)), where + "82 is outside 1..81");
+  EXPECT_EQ(refusal_of(R"("within":1075)"), "its description: within: 1075 is outside 0..1074");
+  for (const std::string& claim : {accepting("triangle", 8), accepting("hull", 81),
+                                   accepting("point", 0), std::string(R"("within":1074)")}) {
+    EXPECT_EQ(refusal_of(claim), "") << claim;
+  }
+  // The same by the C interface.
+  EXPECT_THAT(admitted(kClaiming + ":within=1075").error().message(),
+              testing::EndsWith("within: 1075 is outside 0..1074"));
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -26,11 +26,14 @@ namespace {
 /// A side of a pair in `accepts`.
 struct AcceptedShape {
   ShapeKind shape = ShapeKind::kPoint;
-  std::uint64_t max_degree = kMaxControls;
+  std::uint64_t max_degree = 0;
 
   static void fields(auto& archive, auto& accepted) {
     archive("shape", accepted.shape);
-    archive.optional("max_degree", accepted.max_degree);
+    const std::uint64_t least = accepted.shape == ShapeKind::kPoint ? 0 : 1;
+    const std::uint64_t most = accepted.shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
+    accepted.max_degree = most;
+    archive.optional("max_degree", accepted.max_degree, {}, within(least, most));
   }
 };
 
@@ -270,10 +273,8 @@ struct JsonForm<PluginDescription> {
     for (const std::array<AcceptedShape, 2>& pair : accepts) {
       Domain::Pair& read = domain.pairs.emplace_back();
       for (size_t side = 0; side < 2; ++side) {
-        const auto& [shape, degree] = pair[side];
-        const std::uint64_t most = shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
-        read.shapes[side] = shape;
-        read.max_degrees[side] = static_cast<int>(std::min(degree, most));
+        read.shapes[side] = pair[side].shape;
+        read.max_degrees[side] = static_cast<int>(pair[side].max_degree);
       }
     }
     archive.optional("bodies", domain.body_kinds, {}, Each{[](const BodyKind& kind) {
@@ -299,8 +300,8 @@ struct JsonForm<PluginDescription> {
     domain.binary32 = width == NumberWidth::k32;
     constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
     std::uint64_t scale = 0;
-    archive.optional("within", scale);
-    if (scale > 0) domain.scale = static_cast<int>(std::min(scale, kWidestScale));
+    archive.optional("within", scale, {}, within(std::uint64_t{0}, kWidestScale));
+    if (scale > 0) domain.scale = static_cast<int>(scale);
   }
 };
 
