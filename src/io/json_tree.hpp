@@ -21,6 +21,7 @@ struct JsonValue {
 
   /// The member of an object, or null.
   const JsonValue* find(std::string_view key) const;
+  bool operator==(const JsonValue&) const = default;
 };
 
 /// Limits that keep hostile text from exhausting time or memory; a case stays far below them.

@@ -36,6 +36,7 @@ def murder(whom):
 
 
 options = ""
+asks = 0
 for line in sys.stdin:
     asked = json.loads(line)
     reply = {"protocol": 1, "name": "misbehaving"}
@@ -50,6 +51,11 @@ for line in sys.stdin:
             reply["toi"] = float("nan")
         if options == "inf":
             reply["toi"] = float("inf")
+        asks += 1
+        if options == "by turns" and asks % 2 == 0:
+            reply["verdict"] = "miss"
+        if options == "another uv":
+            reply["uv"] = [[0, 0], [0, 0.5 * (asks % 2)]]
         if options == "stale":
             reply["id"] -= 1
         if options == "chatty":

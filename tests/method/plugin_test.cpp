@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misdeed{"verdict", "garbage", "99"}, Misdeed{"small", "sizes", "4 bytes"},
         Misdeed{"large", "sizes", ""}, Misdeed{"overrun", "sizes", "past the end"},
         Misdeed{"query", "sizes", "into the query"}, Misdeed{"error", "error", ""},
-        Misdeed{"status", "error", "-1"}, Misdeed{"stale", "stale", "two answers"},
+        Misdeed{"status", "error", "-1"}, Misdeed{"stale", "two answers", "hit at 0, then miss"},
         Misdeed{"pairs", "sizes", "pairs"}, Misdeed{"describe-size", "sizes", "description"},
         Misdeed{"describe-crash", "crash SIGSEGV", ""}, Misdeed{"describe-exit", "exit 7", ""},
         Misdeed{"describe-hang:seconds=0.2", "hang", ""}));
@@ -99,6 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
     Each, ProgramFaults,
     testing::Values(Misdeed{"garbage", "garbage", "Traceback"}, Misdeed{"nan", "toi NaN", ""},
                     Misdeed{"inf", "toi infinite", ""}, Misdeed{"stale", "stale", ""},
+                    Misdeed{"by turns", "two answers", "hit at 0, then miss"},
+                    Misdeed{"another uv", "two answers", "hit at 0 with another uv"},
                     Misdeed{"chatty", "stale", ""}, Misdeed{"long", "output", ""},
                     Misdeed{"exit", "exit 3", "gave up"}, Misdeed{"kill", "crash SIGKILL", ""},
                     Misdeed{"hang:seconds=1", "hang", ""}, Misdeed{"close", "garbage", ""},
@@ -137,7 +139,7 @@ TEST(Plugin, IsAskedNothingMoreOfAQueryOnceItsTimeIsOver) {
   SearchOptions options;
   options.max_seconds = 0;
   EXPECT_EQ(method->answer(falling_vertex(), options).verdict, Verdict::kHit);
-  EXPECT_EQ(fault_of(*made(kMisbehaving + ":stale:seconds=30")).first, "stale");
+  EXPECT_EQ(fault_of(*made(kMisbehaving + ":stale:seconds=30")).first, "two answers");
 }
 
 TEST(Plugin, IsToldItsOptionsAndNotThoseOfTheHost) {
@@ -220,6 +222,24 @@ TEST(Plugin, IsAtFaultWhenItRefusesToBeStartedAgain) {
   std::filesystem::permissions(folder / "once", std::filesystem::perms::owner_all);
   const auto once = made("plugin-exec:" + (folder / "once"));
   EXPECT_EQ(fault_of(*once), std::pair(std::string("refused"), std::string("not again")));
+}
+
+TEST(Plugin, IsAtFaultWhenItDescribesItselfOtherwiseWhenItIsStartedAgain) {
+  const ScratchFolder folder;
+  write_text(folder / "fickle",
+             "#!/bin/sh\nread line\necho x >> " + (folder / "starts") + "\nn=$(wc -l < " +
+                 (folder / "starts") +
+                 ")\necho '{\"protocol\":1,\"name\":\"same\",\"version\":\"'$n'\"}'\nread line\n");
+  std::filesystem::permissions(folder / "fickle", std::filesystem::perms::owner_all);
+  const auto fickle = made("plugin-exec:" + (folder / "fickle"));
+  for (const char* change : {R"(version ("1", then "2"))", R"(version ("1", then "3"))"}) {
+    const auto [name, note] = fault_of(*fickle);
+    EXPECT_EQ(name, "description");
+    EXPECT_EQ(note, std::string("describes itself otherwise when it is started again: ") + change);
+  }
+  EXPECT_EQ(changes_between(R"({"protocol":1,"within":7})", R"({"protocol":1,"accepts":[]})"),
+            "accepts (nothing, then an array), within (7, then nothing)");
+  EXPECT_EQ(changes_between(R"({"protocol":1,"within":7})", R"({"within":7, "protocol":1})"), "");
 }
 
 TEST(Plugin, IsBadInputWhenItRefusesToStart) {

@@ -1,10 +1,12 @@
 #include "method/plugin/line_protocol.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "io/fields.hpp"
 #include "io/json_real.hpp"
@@ -324,7 +326,22 @@ tl::expected<PluginDescription, Fault> read_description(const std::string& line)
   if (!read) return answer_fault(kRefusal, read.error().message());
   CCDFUZZ_TRY_VOID(check_claims(description));
   CCDFUZZ_TRY_VOID(check_looseness(description));
+  description.line = line;
   return description;
+}
+
+std::string changes_between(const std::string& before, const std::string& after) {
+  const JsonValue was = *parse_object(before), is = *parse_object(after);
+  std::set<std::string> keys(was.keys.begin(), was.keys.end());
+  keys.insert(is.keys.begin(), is.keys.end());
+  std::vector<std::string> changes;
+  for (const std::string& key : keys) {
+    const JsonValue *const first = was.find(key), *const then = is.find(key);
+    if (first != nullptr && then != nullptr && *first == *then) continue;
+    changes.push_back(fmt::format("{} ({}, then {})", key, first ? shown(*first) : "nothing",
+                                  then ? shown(*then) : "nothing"));
+  }
+  return fmt::format("{}", fmt::join(changes, ", "));
 }
 
 tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,

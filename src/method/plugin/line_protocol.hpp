@@ -38,6 +38,7 @@ inline constexpr double kMostRelativeTolerance = 1;
 struct PluginDescription {
   std::string name;
   std::string version;
+  std::string line;  ///< all of it, as it was said
   Domain domain;
   std::string promise;  ///< the sentence that it is held to, and where it stands
   bool conservative = false;
@@ -62,6 +63,9 @@ inline constexpr const char* kRefusal = "refused";
 /// Errors: kRefusal (it says so, or claims a tolerance above those limits), or anything that is not
 /// a description.
 tl::expected<PluginDescription, Fault> read_description(const std::string& line);
+/// The fields in which two descriptions differ, with what each says: "version (\"1\", then
+/// \"2\")". Empty: none. Requires lines that read_description takes.
+std::string changes_between(const std::string& before, const std::string& after);
 
 /// "hit", "miss", "inconclusive" or "refused".
 constexpr std::string_view word_of(Verdict verdict) {

@@ -130,10 +130,18 @@ class PluginMethod : public Method {
     if (!plugin_->spec.repeats || is_over()) return given;
     ask_once(decoy_query(query), options);
     if (is_over()) return given;
+    // Who says one thing and another by turns says the same every other time.
+    if (!has_repeated_) ask_once(decoy_query(query), options);
+    if (is_over()) return given;
     check_nan_policy(query, options);
     if (is_over()) return given;
-    if (!ask_once(query, options).agrees_with(given)) {
-      throw_fault({"stale", "gave the same query two answers, asked again after another"});
+    const PluginAnswer again = ask_once(query, options);
+    has_repeated_ = true;
+    if (!again.agrees_with(given)) {
+      const std::string first = text_of(given.answer), then = text_of(again.answer);
+      throw_fault(
+          {"two answers", fmt::format("answers differ from one ask to the next: {}, then {}{}",
+                                      first, then, first == then ? " with another uv" : "")});
     }
     return given;
   }
@@ -152,6 +160,8 @@ class PluginMethod : public Method {
     if (!worker_.runs()) {
       const auto described = described_by(worker_, plugin_->spec);
       if (!described) throw_fault(described.error());
+      has_repeated_ = false;
+      if (!plugin_->is_ours) check_description(described->line);
     }
     const double max_seconds = std::min(options.max_seconds, plugin_->most_seconds);
     const std::string line =
@@ -159,6 +169,13 @@ class PluginMethod : public Method {
     const auto reply = worker_.ask(line);
     if (!reply) throw_fault(reply.error());
     return read_answer(*reply, last_id_, query.t_max);
+  }
+
+  /// It is judged by what it said first.
+  void check_description(const std::string& line) {
+    const std::string changes = changes_between(plugin_->description->line, line);
+    if (changes.empty()) return;
+    throw_fault({"description", "describes itself otherwise when it is started again: " + changes});
   }
 
   /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
@@ -193,6 +210,7 @@ class PluginMethod : public Method {
   std::optional<MethodFault> broken_claim_;  ///< by the answer to this query
   std::uint64_t last_id_ = 0;
   int hangs_ = 0;
+  bool has_repeated_ = false;  ///< this process has been asked a query again
 };
 
 Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text) {

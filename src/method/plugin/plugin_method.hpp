@@ -29,7 +29,8 @@ MethodInfo plugin_info(const KnownPlugin& plugin);
 
 /// The plug-in as a Method, in a worker process that starts with the first query, and anew after
 /// each fault. A query of shapes that it does not accept is undecided. Every query is asked again
-/// after another one, unless the spec says repeat=no: an answer that changes is the fault "stale".
+/// after another one, unless the spec says repeat=no: an answer that changes is the fault "two
+/// answers". A description that changes when it is started again is the fault "description".
 /// Where the plug-in claims a NaN policy, the query is asked between the two with a coordinate that
 /// is not finite. An answer that does not fit is the broken claim "nan policy". answer() throws
 /// MethodFault for whatever the plug-in does that it may not.
