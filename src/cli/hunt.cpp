@@ -192,8 +192,9 @@ void remark_that_nothing_was_asked(const HuntReport& report, const HuntOptions& 
     why = fmt::format("every method refused what it was to be asked about {} cases", report.cases);
     more.clear();
   } else if (report.cases > 0) {
-    why = fmt::format("none of {} cases drawn can be", report.cases);
-    if (options.ground.scale) why += fmt::format(" with --within {}", *options.ground.scale);
+    const std::string rules = options.ground.text();
+    why = fmt::format("none of {} cases drawn fits{}", report.cases,
+                      rules.empty() ? "" : fmt::format(" ({})", rules));
   }
   session.remark("nothing was checked: no query was asked; {}{}", why, more);
 }
@@ -225,6 +226,15 @@ void note_faults(const std::vector<std::string>& methods, Session& session) {
   for (const std::string& method : methods) {
     const std::string fault = need(method_info(method)).fault;
     if (!fault.empty()) session.remark("{}: {}", method, fault);
+  }
+}
+
+/// Says whose answers depend on more than the query, in the first find of each that shows it.
+void note_differing(const HuntReport& report, Session& session) {
+  std::set<std::string> noted;
+  for (const Find& find : report.finds) {
+    if (!find.differs || !noted.insert(find.failure.who).second) continue;
+    session.remark("{}: {}, found in {}", find.failure.who, kAnswersDiffer, find.path);
   }
 }
 
@@ -264,6 +274,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
       interrupted);
   session.progress().clear();
   finish_in_order();
+  note_differing(report, session);
   session.json ? print_report_json(report) : print_report(report, options);
   if (report.error) throw BadInput{*report.error};
   if (!options.page.empty()) {
@@ -275,7 +286,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   if (interrupted) return session.exit_code(kDone);
   // No draw is on the ground, or there was no time for any: then nothing was checked.
   if (report.course.back().queries + report.course.back().mutants == 0) {
-    remark_that_nothing_was_asked(report, arguments.hunt, session);
+    remark_that_nothing_was_asked(report, options.hunt, session);
     return kCheckFailed;
   }
   return fails(report, options.fail_on) ? kCheckFailed : kDone;

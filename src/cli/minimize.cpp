@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
@@ -68,15 +69,20 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   Asker asker = asker_for(found, options);
   const CheckedCase known = need(check_case(found));
   const Judged judged = asker.ask(options.method, known);
+  const Expected shown = asker.expected(options.method, found.value, judged);
   if (!is_failure(judged.outcome)) {
-    throw BadInput{{found.id, fmt::format("the answer of {} is {}: no failure to shrink",
-                                          options.method, name_of(judged.outcome))}};
+    const bool differs = asker.differs(options.method, known, shown, asker.search());
+    throw BadInput{{found.id, fmt::format("the answer of {} is {}: no failure to shrink{}",
+                                          options.method, name_of(judged.outcome),
+                                          differs ? fmt::format("; {}", kAnswersDiffer) : "")}};
   }
-  const Failure failure =
-      failure_of(found.value, options.method, asker.expected(options.method, found.value, judged));
+  const Failure failure = failure_of(found.value, options.method, shown);
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Minimised minimised = minimise(found.value, failure, asker,
                                        {options.max_trials, [&] { return interrupted.load(); }});
+  if (asker.differs(options.method, checked_or_unknown(minimised.value), shown, asker.search())) {
+    session.remark("{}: {}", options.method, kAnswersDiffer);
+  }
   write_minimised(options, minimised.value, session);
   if (session.json) {
     print_row([&](auto& row) {

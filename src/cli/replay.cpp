@@ -38,6 +38,7 @@ struct ReplayRow {
   std::string method;
   Expected expected, got;
   Judged judged;
+  bool differs;  ///< the method shows something else when it is asked again
 
   Change change() const { return change_of(expected, got); }
   /// A clock told that it hangs.
@@ -118,7 +119,9 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     Asker& asker = expected.outcome == Outcome::kError ? askers.served : askers.here;
     Judged judged = asker.ask(method, *known, search);
     Expected got = asker.expected(method, known->value(), judged);
-    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged)});
+    const bool differs =
+        change_of(expected, got) != Change::kNone && asker.differs(method, *known, got, search);
+    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged), differs});
   }
   // A method need not answer a query that it does not take.
   if (options.expect) {
@@ -231,6 +234,7 @@ class Replay {
       expectations_.add(row.change());
       asked_.insert(row.method);
       budget_.add(entry, row.judged.answer);
+      if (row.differs) session_.remark("{}: {}: {}", entry.id, row.method, kAnswersDiffer);
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
       if (session_.json || (is_other && ++shown_ <= kMostShown)) {

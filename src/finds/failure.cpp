@@ -9,6 +9,7 @@
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/checker/check_case.hpp"
 #include "io/hash_name.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -139,6 +140,16 @@ Expected Asker::expected_as_asked(const std::string& method, const CheckedCase& 
   own.precision = known.value().asked.precision;
   own.max_pops = std::min(own.max_pops, known.value().asked.max_pops);
   return expected(method, known.value(), ask(method, known, own));
+}
+
+bool Asker::differs(const std::string& method, const CheckedCase& known, const Expected& shown,
+                    const SearchOptions& search) {
+  if (!names_plugin(method) || shown.cause == "hang") return false;
+  constexpr int kTimes = 3;
+  for (int i = 0; i < kTimes; ++i) {
+    if (!(expected(method, known.value(), ask(method, known, search)) == shown)) return true;
+  }
+  return false;
 }
 
 double Asker::depth(const std::string& method, const CheckedCase& known) {

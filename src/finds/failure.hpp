@@ -81,6 +81,9 @@ Asked asked_with(const SearchOptions& search);
 /// Empty where no contact by t_max is known, or the method cannot be traced.
 std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
 
+/// What is wrong with a method of which Asker::differs is true.
+inline constexpr const char* kAnswersDiffer = "answers differ from one ask to the next";
+
 /// Asks methods about cases and says how they fail. For one thread.
 class Asker {
  public:
@@ -106,6 +109,11 @@ class Asker {
   /// What an entry expects of it, asked at the precision that the case says, and with no more pops
   /// than it says.
   Expected expected_as_asked(const std::string& method, const CheckedCase& known);
+
+  /// Whether a plug-in that has just shown this shows something else when it is asked again, a few
+  /// times. After a hang, which costs all of its time, it is not asked.
+  bool differs(const std::string& method, const CheckedCase& known, const Expected& shown,
+               const SearchOptions& search);
 
   /// How deep patches pass through each other in a false negative of the method (depth_of); 0 where
   /// that is not measured.

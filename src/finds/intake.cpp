@@ -183,6 +183,7 @@ Result<void> Intake::finish(const Finish& how) {
     Failure failure;
     Case find;
     double depth = 0;
+    bool differs = false;
   };
   std::vector<Task> tasks;
   {
@@ -196,21 +197,22 @@ Result<void> Intake::finish(const Finish& how) {
   run_in_order<Case>(
       tasks.size(), how.threads,
       [&](size_t i) {
-        auto& [failure, find, depth] = tasks[i];
+        auto& [failure, find, depth, differs] = tasks[i];
         Asker& asker = askers.local();
         if (how.shrinks(failure))
           find = minimise(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
-        if (is_false_negative(failure.outcome)) {
-          depth = asker.depth(failure.who, checked_or_unknown(find));
-        }
+        const CheckedCase known = checked_or_unknown(find);
+        if (is_false_negative(failure.outcome)) depth = asker.depth(failure.who, known);
+        differs =
+            asker.differs(failure.who, known, {failure.outcome, failure.cause}, asker.search());
         asker.ask_others(find, how.methods);
         return std::move(find);
       },
       [&](Case find) {
-        const auto& [failure, was, depth] = tasks[done++];
+        const auto& [failure, was, depth, differs] = tasks[done++];
         const std::lock_guard lock(mutex_);
         Kept& kept = kept_.at(failure);
-        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth};
+        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth, differs};
         std::ignore = store_kept();
       },
       &how.stop);
@@ -221,8 +223,9 @@ std::vector<Find> Intake::finds() const {
   const std::lock_guard lock(mutex_);
   std::vector<Find> finds;
   for (const auto& [failure, kept] : kept_) {
-    Find find{failure, kept.stored ? store_.path_of(failure) : "", kept.find,
-              kept.is_new || !kept.stored, kept.depth};
+    Find find{failure,    kept.stored ? store_.path_of(failure) : "",
+              kept.find,  kept.is_new || !kept.stored,
+              kept.depth, kept.differs};
     if (!find.is_new) {
       if (const auto entry = store_.standing(failure); entry && *entry) {
         find.path = (*entry)->id;

@@ -20,6 +20,8 @@ struct Find {
   Case value;           ///< with its expectations
   bool is_new = false;  ///< found by this run; else it was there before, or a smaller one was
   double depth = 0;     ///< that of a new one (Asker::depth)
+  /// The method shows something else of a new one, asked again (Asker::differs).
+  bool differs = false;
 };
 
 /// The finds of one run on their way into a store. The smallest of each failure is kept in memory,
@@ -97,6 +99,7 @@ class Intake {
     Case find;
     bool stored = false, is_new = false;
     double depth = 0;
+    bool differs = false;
   };
 
   Result<void> store_kept();
