@@ -14,6 +14,7 @@
 #include "generators/bodies.hpp"
 #include "generators/contact.hpp"
 #include "method/method.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -189,7 +190,7 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
             : fmt::format("no query is taken by all of {}: hunt them apart",
                           fmt::join(methods, ", ")));
   };
-  bool take_bodies = true, take_patches = true;
+  bool take_bodies = true, take_patches = true, means_bodies = false;
   for (const std::string& method : methods) {
     CCDFUZZ_TRY(const MethodInfo info, method_info(method));
     const Domain& domain = info.domain;
@@ -199,10 +200,13 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     const auto& pairs = domain.pairs;
     take_bodies = take_bodies && info.features.bodies &&
                   (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
+    // Who takes bodies and names no shapes is an adapter of an engine.
+    means_bodies = means_bodies || (info.features.bodies && pairs.empty() && names_plugin(method));
     take_patches = take_patches && (pairs.empty() || !std::ranges::all_of(pairs, is_pair_of_hulls));
   }
   const bool is_of_patches = ground.linear || ground.shapes;
-  if (!take_patches && !is_of_patches) ground.bodies = true;
+  const bool is_of_bodies = !take_patches || (means_bodies && take_bodies);
+  if (is_of_bodies && !is_of_patches) ground.bodies = true;
   if (ground.bodies ? !take_bodies : !take_patches) return nothing();
   const bool had_pairs = !ground.pairs.empty();
   std::erase_if(ground.pairs,

@@ -155,6 +155,20 @@ TEST(Ground, WhatNoMethodTakesIsAnError) {
             "--methods: no query is taken by all of oracle, tdibm-c: hunt them apart");
 }
 
+TEST(Ground, IsOfBodiesForAPluginThatTakesThemAndNamesNoShapes) {
+  const std::string bodies = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2:claims=70",
+                    patches = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2";
+  for (const std::string& plugin : {bodies, patches}) ASSERT_TRUE(admit_plugin(plugin));
+  EXPECT_TRUE(narrowed({}, {bodies})->bodies);
+  EXPECT_TRUE(narrowed({}, {bodies, "oracle"})->bodies);
+  EXPECT_FALSE(narrowed({}, {bodies, "tdibm-c"})->bodies);
+  EXPECT_FALSE(narrowed({}, {patches})->bodies);
+  EXPECT_FALSE(narrowed({}, {"oracle"})->bodies) << "it takes all shapes";
+  HuntGround linear;
+  linear.linear = true;
+  EXPECT_FALSE(narrowed(linear, {bodies})->bodies);
+}
+
 TEST(Domain, CommonPartsAreNoWiderThanEither) {
   Domain some, others;
   some.pairs = {kVertexFace, {{ShapeKind::kTensor, ShapeKind::kTensor}, {2, 8}}};
