@@ -147,19 +147,18 @@ size_t first_body(const Query& query) {
   return has_mesh(query) ? 1 - mesh_side(query) : 0;
 }
 
-/// What is proven, in a line that a person can check. Points are where the test has them: it may
-/// move the first body alone, as the second sees it.
-std::string proof_text(const Case& value, const EngineWords& engine) {
+/// What is proven, in a line that a person can check. Times are parts of the step. Points are where
+/// the test has them: it may move the first body alone, as the second sees it.
+std::string proof_text(const Case& value, const EngineWords& engine, double step) {
   const Query& query = value.query;
   const auto& witness = value.truth.witness;
   if (!witness) {
     const auto contact = value.truth.contact_by();
-    return contact ? fmt::format("They touch by t = {:.17g} of t_max = {}.", contact->get_d(),
-                                 query.t_max)
-                   : fmt::format("Nothing touches in [0, {}].", query.t_max);
+    return contact ? fmt::format("They touch by {:.17g} of the way.",
+                                 Rational(*contact / exact(step)).get_d())
+                   : "Nothing touches on the way.";
   }
-  const std::string at =
-      fmt::format("At t = {} of t_max = {}", readable({witness->t}), query.t_max);
+  const std::string at = fmt::format("At {} of the way", readable({witness->t / exact(step)}));
   if (!is_of_bodies(query)) return at + " they have a point in common.";
   const size_t first = first_body(query), second = 1 - first;
   std::array<std::string, 2> points;
@@ -168,9 +167,12 @@ std::string proof_text(const Case& value, const EngineWords& engine) {
     if (engine.moves_one()) p -= witness->t * exact(query.patches[second].velocities[0]);
     points[side] = readable({p[0], p[1], p[2]});
   }
+  const double radii = query.patches[0].radius + query.patches[1].radius;
+  if (radii == 0) return fmt::format("{} both have the point {}.", at, points[first]);
   return fmt::format(
-      "{} the cores have the points\n// {} and {},\n// no farther apart than the radii together.",
-      at, points[first], points[second]);
+      "{} the bodies without their radii have the points\n"
+      "// {} and {}, no farther apart than the radii together: {}.",
+      at, points[first], points[second], radii);
 }
 
 /// The name in a template of a pair of linear shapes, the smaller first; "" if there is none.
@@ -304,7 +306,8 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const double step =
       is_of_features ? step_of(value.query, engine) : step_of_bodies(value.query, engine);
   std::optional<double> latest;
-  if (touches) latest = round_up(Rational(*contact / exact(step))) + allowed_delay(value, engine);
+  const double delay = touches ? allowed_delay(value, engine) : 0;
+  if (touches) latest = round_up(Rational(*contact / exact(step))) + delay;
   if (!latest && engine.has("touches") && !engine.has("clear")) {
     return input_error(
         named.id, fmt::format("{} may be early, so a test of it needs a contact", engine.engine));
@@ -312,7 +315,10 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const Result<std::string> asked =
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
-    return fmt::format("// {}\n{}", proof_text(value, engine), with_checks(engine, text, latest));
+    std::string proof = fmt::format("// {}\n", proof_text(value, engine, step));
+    if (delay > 0)
+      proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);
+    return proof + with_checks(engine, text, latest);
   });
 }
 
