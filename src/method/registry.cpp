@@ -251,8 +251,9 @@ Result<Found> find_family(const std::string& text) {
     std::vector<std::string> specs;
     for (const Family& f : families()) specs.push_back(f.info.spec);
     std::error_code none;
+    const char* const prefix = text.ends_with(".so") ? kPluginPrefix : kPluginProgramPrefix;
     const std::string meant = std::filesystem::is_regular_file(text, none)
-                                  ? fmt::format("; did you mean {}{}?", kPluginPrefix, text)
+                                  ? fmt::format("; did you mean {}{}?", prefix, text)
                                   : did_you_mean(text, specs);
     return input_error("--methods",
                        fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "

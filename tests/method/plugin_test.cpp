@@ -106,6 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"hang:seconds=1", "hang", ""}, Misdeed{"close", "garbage", ""},
                     Misdeed{"memory:mb=500", "exit 1", "MemoryError"},
                     Misdeed{"word", "garbage", "maybe"}, Misdeed{"no toi", "toi missing", ""},
+                    Misdeed{"says toi \"0.5\"", "garbage", "hit at \"0.5\", which is no time"},
+                    Misdeed{"says verdict \"HIT\"", "garbage", "none of hit, miss, inconclusive"},
+                    Misdeed{"says id null", "stale", "the id null when asked"},
                     Misdeed{"says toi [0,Infinity]", "toi infinite", "until the time inf"},
                     Misdeed{"says toi [0,\"soon\"]", "garbage", "until \"soon\""},
                     Misdeed{"says toi [0.5,0.25]", "toi order", ""},
@@ -264,6 +267,10 @@ TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
     ASSERT_FALSE(refused) << spec;
     EXPECT_THAT(refused.error().message(), testing::HasSubstr("\"" + spec + "\""));
   }
+  EXPECT_THAT(admit_plugin("plugin:" + (folder / "text")).error().message(),
+              testing::HasSubstr("a program is plugin-exec:PATH"));
+  EXPECT_THAT(make_method(folder / "text").error().message(),
+              testing::HasSubstr("did you mean plugin-exec:" + (folder / "text") + "?"));
   const auto tracer = make_tracer(kNaive);
   ASSERT_FALSE(tracer);
   EXPECT_THAT(tracer.error().message(), testing::HasSubstr("cannot be traced"));

@@ -113,7 +113,9 @@ class Plugin {
  public:
   Plugin(const char* path, const std::string& options) {
     void* const library = ::dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) end_with("refused", "library", ::dlerror());
+    if (library == nullptr) {
+      end_with("refused", "library", std::string(::dlerror()) + "; a program is plugin-exec:PATH");
+    }
     const auto get =
         reinterpret_cast<decltype(&ccdfuzz_plugin_get)>(::dlsym(library, "ccdfuzz_plugin_get"));
     if (get == nullptr) {
