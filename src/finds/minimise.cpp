@@ -9,6 +9,8 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
+#include "certify/oracle/find_plane.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "finds/simplify.hpp"
 #include "fuzz/mutator/repair.hpp"
 #include "generators/bodies.hpp"
@@ -44,6 +46,11 @@ bool is_inside(const Witness& witness, const Query& query) {
 /// The linear decision is about whole patches.
 bool is_decided_linearly(const Query& query) {
   return is_linear_query(query) && !is_trimmed(query);
+}
+
+/// The plane that proves that nothing touches, if one does.
+const MovingPlane* plane_of(const Case& value) {
+  return value.truth.clearance ? std::get_if<MovingPlane>(&*value.truth.clearance) : nullptr;
 }
 
 class Minimiser {
@@ -94,8 +101,8 @@ class Minimiser {
   /// Nothing where that is not a truth about which methods fail so.
   std::optional<Case> decided(const Query& query) const {
     Case value{query, {}, {}};
-    // A cast of bodies goes somewhere.
-    if (is_of_bodies(query) && query.t_max == 0 && found_.query.t_max > 0) return std::nullopt;
+    // A query of a time does not become one of an instant.
+    if (query.t_max == 0 && found_.query.t_max > 0) return std::nullopt;
     if (failure_ == Outcome::kError) return value;
     if (is_of_bodies(query)) {
       const std::optional<Case> made = case_of_bodies(query);
@@ -104,6 +111,11 @@ class Minimiser {
     } else if (is_decided_linearly(query)) {
       // Linear patches alone always have a proof, and it needs no file beside the case.
       value.truth = decide_linear(query, {}).truth;
+    } else if (const MovingPlane* plane = plane_of(best_case_); plane && query.t_max > 0) {
+      // As far past t_max as before.
+      const Rational until = plane->until / exact(best_case_.query.t_max) * exact(query.t_max);
+      value.truth.clearance = find_plane_near(query, *plane, until);
+      conclude(query, value.truth);
     }
     if (value.truth.collides != is_false_negative(failure_)) return std::nullopt;
     // What is missed at a time that is no fraction is missed inside.

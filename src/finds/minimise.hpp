@@ -27,10 +27,11 @@ struct Minimised {
 ///   missed, late    a dyadic witness, at which the patches touch exactly (check_witness). It is
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was. Without one, linear patches that are decided to touch, inside
-///   false_positive  nothing touches in [0, t_max] by certificate L, so the patches are linear
+///   false_positive  nothing touches in [0, t_max], by certificate L of linear patches, else by a
+///                   plane (certificate P), which `found` must have then
 ///   error           nothing; the result has no truth
 /// The truth of bodies is decided exactly each time (case_of_bodies); the class of the contact that
-/// this says stays. A query whose numbers are all floats stays one.
+/// this says stays. A query whose numbers are all floats stays one. A t_max above 0 stays above 0.
 /// A case of which that cannot be made to hold comes back as it is. Never less simple than `found`.
 /// Deterministic, except for stop.
 Minimised minimise(const Case& found, Outcome failure,

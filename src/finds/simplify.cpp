@@ -84,7 +84,7 @@ MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
   });
 }
 
-/// No weights, or equal ones.
+/// No weights, or equal ones; one that is 1.
 void offer_weights(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
     const auto weights = [side](Query & next) -> auto& {
@@ -92,6 +92,9 @@ void offer_weights(const Contact& q, const Offer& offer) {
     };
     if (offer_changed(q, offer, [&](Query& next) { weights(next).clear(); })) continue;
     offer_changed(q, offer, [&](Query& next) { std::ranges::fill(weights(next), 1); });
+    for (std::size_t i = 0; i < q.query.patches[side].weights.size(); ++i) {
+      offer_changed(q, offer, [&](Query& next) { weights(next)[i] = 1; });
+    }
   }
 }
 
@@ -317,9 +320,11 @@ Simplicity simplicity_of(const Contact& q) {
     s.different_points += patch.weights.empty() ? 0 : 32;
     for (const auto& loop : patch.trim) s.different_points += 32 + loop.size();
     s.different_points += patch.faces.size() + (patch.one_sided ? 1 : 0);
-    for_each_coordinate(patch, [&](double x) {
+    const auto count_exponent = [&](double x) {
       if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
-    });
+    };
+    for_each_coordinate(patch, count_exponent);
+    std::ranges::for_each(patch.weights, count_exponent);
   }
   return s;
 }

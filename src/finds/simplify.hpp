@@ -14,7 +14,7 @@ struct Simplicity {
   CaseSize size;
   std::uint64_t witness_bits = 0;      ///< in t and uv
   std::uint64_t different_points = 0;  ///< and what else a query has more or less of, such as faces
-  std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates
+  std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates and weights
   friend auto operator<=>(const Simplicity&, const Simplicity&) = default;
 };
 

@@ -8,6 +8,7 @@
 #include "case/judge.hpp"
 #include "ccd/tdibm.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/feature_depth.hpp"
@@ -185,7 +186,6 @@ Case passing_point() {
   return passing;
 }
 
-/// Linear patches: without a proof that needs no file, an edit of curved ones is not taken.
 TEST(Minimise, AFalsePositiveStaysOneWithProof) {
   const Case found = passing_point();
   ASSERT_EQ(found.truth.collides, false);
@@ -203,6 +203,19 @@ TEST(Minimise, AFalsePositiveStaysOneWithProof) {
   EXPECT_EQ(method.answer(small.value.query, {}).verdict, Verdict::kMiss);
 }
 
+TEST(Minimise, AFalsePositiveOfCurvedPatchesKeepsAPlane) {
+  const Case found = drawn(ContactClass::kFF, CaseKind::kRN, 0);
+  ASSERT_EQ(found.truth.collides, false);
+  ASSERT_EQ(found.truth.proof, "P");
+  const Minimised small = minimise(found, Outcome::kFalsePositive, [](const Case& c) {
+    return !is_linear_query(c.query) && c.query.patches[0].velocities[0][0] != 0;
+  });
+  EXPECT_EQ(small.value.truth.proof, "P");
+  EXPECT_TRUE(check_case(small.value)->is_clear());
+  EXPECT_GT(small.value.query.t_max, 0);
+  EXPECT_LE(size_of(small.value.query).significant_bits, 12U) << to_json(small.value);
+}
+
 TEST(Minimise, AnErrorNeedsNoTruth) {
   const Case found = drawn(ContactClass::kFF, CaseKind::kRP, 0);
   const Minimised small = minimise(found, Outcome::kError, [](const Case& c) {
@@ -212,6 +225,18 @@ TEST(Minimise, AnErrorNeedsNoTruth) {
   EXPECT_EQ(small.value.query.patches[0].shape, Shape::point());
   EXPECT_EQ(small.value.query.patches[1].shape, Shape::triangle(1));
   EXPECT_LE(size_of(small.value.query).significant_bits, 1U) << to_json(small.value);
+}
+
+TEST(Minimise, WeightsThatDoNotMatterGoTo1) {
+  Case found = drawn(ContactClass::kEE, CaseKind::kRP, 0);
+  found.query.patches[0] = {Shape::curve(2), {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}}, {}};
+  found.query.patches[0].velocities.resize(3);
+  found.query.patches[0].weights = {2, 7, 0.25};
+  const Minimised small = minimise(found, Outcome::kError, [](const Case& c) {
+    const MovingPatch<double>& patch = c.query.patches[0];
+    return patch.shape == Shape::curve(2) && !patch.weights.empty() && patch.weights[1] > 2;
+  });
+  EXPECT_EQ(small.value.query.patches[0].weights, (std::vector<double>{1, 8, 1}));
 }
 
 TEST(Minimise, AnErrorOfBodiesStaysACastThatGoesSomewhere) {

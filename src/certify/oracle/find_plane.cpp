@@ -1,5 +1,6 @@
 #include "certify/oracle/find_plane.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,27 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
     if (rate == 0) continue;
     if (rate > 0) n = -n;  // patch 1, on the normal's side, comes from there
     const MovingPlane plane{witness.t, {n[0], n[1], n[2]}, dot(n, contact)};
+    if (check_plane(query, plane)) return plane;
+  }
+  return std::nullopt;
+}
+
+std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane& near,
+                                           const Rational& until) {
+  MovingPlane plane{until, near.normal, near.offset};
+  if (check_plane(query, plane)) return plane;
+  std::vector<Vector> normals = {{near.normal[0], near.normal[1], near.normal[2]}};
+  for (int k = 0; k < 3; ++k) {
+    for (const int sign : {1, -1}) normals.emplace_back(0, 0, 0)[k] = sign;
+  }
+  const MovingPatch<Rational> above = exact_patch<Rational>(query.patches[0]);
+  for (const Vector& n : normals) {
+    std::vector<Rational> heights;
+    for (size_t i = 0; i < above.positions.size(); ++i) {
+      heights.push_back(dot(n, Vector(above.positions[i] + above.velocities[i] * until)));
+    }
+    plane.normal = {n[0], n[1], n[2]};
+    plane.offset = *std::min_element(heights.begin(), heights.end());
     if (check_plane(query, plane)) return plane;
   }
   return std::nullopt;
