@@ -107,21 +107,30 @@ bool is_in_trims(const Contact& q) {
   return true;
 }
 
-std::optional<Contact> contact_of(const Case& known) {
+std::optional<Contact> near_contact_of(const Case& known) {
   const std::optional<Witness>& witness = known.truth.witness;
   if (!witness || witness->t > exact(known.query.t_max)) return std::nullopt;
   if (is_of_bodies(known.query)) return std::nullopt;
-  const std::optional<Dyadic> t = Dyadic::from(witness->t);
-  if (!t) return std::nullopt;
-  Contact q{known.query, *t, {}};
+  const auto near = [](const Rational& x) {
+    const Integer parts = x.get_num() * 32 / x.get_den();
+    return Dyadic::from(x).value_or(Dyadic(parts == 0 ? Integer(1) : parts, -5));
+  };
+  Contact q{known.query, near(witness->t), {}};
   for (size_t s = 0; s < 2; ++s) {
-    for (size_t k = 0; k < 2; ++k) {
-      const std::optional<Dyadic> x = Dyadic::from(witness->uv[s][k]);
-      if (!x) return std::nullopt;
-      q.uv[s][k] = *x;
+    const auto& [u, v] = witness->uv[s];
+    q.uv[s] = {near(u), near(v)};
+    // On the long side of a triangle it stays there.
+    if (known.query.patches[s].shape.kind == ShapeKind::kTriangle && u + v == 1) {
+      q.uv[s][1] = Dyadic(1) - q.uv[s][0];
     }
   }
-  if (known.query.separation > 0 && q.offset() != Vec3<Dyadic>()) return std::nullopt;
+  return q;
+}
+
+std::optional<Contact> contact_of(const Case& known) {
+  const std::optional<Contact> q = near_contact_of(known);
+  if (!q || !(q->witness() == *known.truth.witness)) return std::nullopt;
+  if (known.query.separation > 0 && q->offset() != Vec3<Dyadic>()) return std::nullopt;
   return q;
 }
 

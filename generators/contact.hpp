@@ -39,6 +39,9 @@ bool is_in_trims(const Contact& q);
 /// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one of
 /// bodies. Likewise if the witness is not dyadic, or its points are apart.
 std::optional<Contact> contact_of(const Case& known);
+/// One to be made whole: as near to the witness as fractions over 32 are, where that is not dyadic.
+/// nullopt if there is no witness within t_max, or one of bodies.
+std::optional<Contact> near_contact_of(const Case& known);
 
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.
 ContactClass contact_class_of(const Contact& q);

@@ -43,6 +43,11 @@ bool is_inside(const Witness& witness, const Query& query) {
   return true;
 }
 
+/// Whether the patches come as near as the separation of the query, where it has one.
+bool is_within_separation(const Contact& q) {
+  return q.query.separation > 0 && validate(q.query, "") && check_witness(q.query, q.witness());
+}
+
 /// The linear decision is about whole patches.
 bool is_decided_linearly(const Query& query) {
   return is_linear_query(query) && !is_trimmed(query);
@@ -78,11 +83,11 @@ class Minimiser {
     if (!is_failure(failure_)) return false;
     best_ = {found_.query, Dyadic(), {}};
     if (is_false_negative(failure_)) {
-      const auto witnessed = contact_of(found_);
-      keeps_witness_ = witnessed.has_value();
-      if (witnessed) best_ = *witnessed;
       // Many contacts of linear patches come at a time that is no fraction.
       const bool is_decided = is_of_bodies(found_.query) || is_decided_linearly(found_.query);
+      const auto witnessed = is_decided ? contact_of(found_) : near_contact_of(found_);
+      keeps_witness_ = witnessed.has_value();
+      if (witnessed) best_ = *witnessed;
       if (!witnessed && !is_decided) return false;
     }
     if (is_of_bodies(found_.query) && failure_ != Outcome::kError) {
@@ -140,7 +145,8 @@ class Minimiser {
     for (std::uint64_t way = 0; way < ways; ++way) {
       Contact whole = form;
       Draw random{Random(way)};
-      if (keeps_witness_ && (place_of(whole) != place_ || !repair(whole, random))) continue;
+      if (keeps_witness_ && place_of(whole) != place_) continue;
+      if (keeps_witness_ && !is_within_separation(whole) && !repair(whole, random)) continue;
       if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
       const Simplicity rank = simplicity_of(whole);
       if (!(rank < rank_)) continue;

@@ -24,7 +24,7 @@ struct Minimised {
 /// control points, no velocities, lower degrees and shapes.
 /// still_fails: whether a case shows the very failure of `found`, whose outcome is `failure`. It is
 /// asked only about cases, and the result is one, of which this holds:
-///   missed, late    a dyadic witness, at which the patches touch exactly (check_witness). It is
+///   missed, late    a dyadic witness, at which check_witness finds the patches in contact. It is
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was. Without one, linear patches that are decided to touch, inside
 ///   false_positive  nothing touches in [0, t_max], by certificate L of linear patches, else by a

@@ -216,6 +216,18 @@ TEST(Minimise, AFalsePositiveOfCurvedPatchesKeepsAPlane) {
   EXPECT_LE(size_of(small.value.query).significant_bits, 12U) << to_json(small.value);
 }
 
+TEST(Minimise, ACurvedMissAtASeparationStaysApartByIt) {
+  const Case found = drawn(ContactClass::kFF, CaseKind::kRP, 0, Family::kApart);
+  ASSERT_GT(found.query.separation, 0);
+  const Minimised small = minimise(found, Outcome::kMissed, [](const Case& c) {
+    Case touching = c;
+    touching.query.separation = 0;
+    return check_truth(c) && !check_truth(touching) && !is_linear_query(c.query);
+  });
+  EXPECT_TRUE(check_truth(small.value));
+  EXPECT_LE(size_of(small.value.query).significant_bits, 24U) << to_json(small.value);
+}
+
 TEST(Minimise, AnErrorNeedsNoTruth) {
   const Case found = drawn(ContactClass::kFF, CaseKind::kRP, 0);
   const Minimised small = minimise(found, Outcome::kError, [](const Case& c) {
