@@ -1,16 +1,12 @@
 #include "cli/command.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -32,19 +28,16 @@ namespace {
 std::string called_as = kProgram;
 std::string typed;
 
-/// Prints only both ends of a long line: a value of an option may be of any length.
-void print_shown_lines(const std::string& text, std::string first_margin, const char* margin) {
-  constexpr size_t kLongest = 2000, kEnd = kLongest / 2;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line); first_margin = margin) {
-    if (line.size() > kLongest) line.replace(kEnd, line.size() - kLongest, " … ");
-    print_err(fmt::format("{}{}\n", first_margin, shown_line(line)));
-  }
-}
-
 /// The message may quote what a file or a plug-in says: no line of it is taken for one of ours.
-int complain(const std::string& message, int code, const std::string& command = "") {
-  print_shown_lines(message, command.empty() ? "ccdfuzz: " : "ccdfuzz: " + command + ": ", "  ");
+/// Prints only both ends of a long line, as a value of an option may be of any length.
+int complain(const std::string& message, int code, const std::string& command = kProgram) {
+  constexpr size_t kLongest = 2000, kEnd = kLongest / 2;
+  std::string margin = command == kProgram ? "ccdfuzz: " : "ccdfuzz: " + command + ": ";
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line); margin = "  ") {
+    if (line.size() > kLongest) line.replace(kEnd, line.size() - kLongest, " … ");
+    print_err(fmt::format("{}{}\n", margin, shown_line(line)));
+  }
   return code;
 }
 
@@ -130,11 +123,6 @@ struct Named {
   std::string name, value;
 };
 
-CLI::Validator not_empty() {
-  return {[](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
-          ""};
-}
-
 }  // namespace
 
 const std::string& program_name() {
@@ -191,7 +179,10 @@ Option Command::text(const std::string& name, std::optional<std::string>& value,
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
-  return Option(app_->add_option(name, values, description)->check(not_empty()));
+  const std::function<std::string(const std::string&)> fault = [](const std::string& text) {
+    return text.empty() ? "is empty" : "";
+  };
+  return Option(app_->add_option(name, values, description)->check(fault));
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
@@ -277,7 +268,6 @@ CommandLine::CommandLine(const std::vector<Property>& properties, FindSuite find
       session_(std::make_unique<Session>()) {
   session_->properties = properties;
   session_->find_suite = std::move(find_suite);
-  app_->formatter(help_formatter());
   app_->set_help_flag("-h,--help", "Show this help");
   app_->set_version_flag("-V,--version", CCDFUZZ_VERSION, "Show the version");
   app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
@@ -342,10 +332,10 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
     if (!chosen_) {
-      print_err(app_->help());
+      print_err(help_of(*app_));
       return complain("no command given", kBadInput);
     }
-    const CLI::App& command = *app_->get_subcommands().front();
+    const CLI::App& command = chosen_command(*app_);
     session_->command = command.get_name();
     session_->asked = asked_of(command);
     refuse_unasked_plugins(command);
@@ -355,21 +345,19 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     error = bad.error;
   } catch (const std::filesystem::filesystem_error& refused) {
     error = system_error(refused.path1().string(), "read", refused.code().value()).value();
-  } catch (const CLI::Success& asked_for_help) {
-    errno = 0;
-    app_->exit(asked_for_help, std::cout);
-    std::cout.flush();
-    if (std::cout) return kDone;
-    return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
+  } catch (const CLI::CallForHelp&) {
+    print_out(help_of(chosen_command(*app_)));
+  } catch (const CLI::CallForVersion&) {
+    print_out(CCDFUZZ_VERSION "\n");
   } catch (const CLI::ParseError& usage) {
-    return complain(usage_error(*app_, usage), kBadInput, chosen_name(*app_));
+    return complain(usage_error(*app_, usage), kBadInput, chosen_command(*app_).get_name());
   }
-  if (error && chosen_) name_option(*app_->get_subcommands().front(), *error);
+  if (error && chosen_) name_option(chosen_command(*app_), *error);
   // What was printed before an error must appear before its message. An unwritable stdout is an
   // error, too, unless there is one already.
   const Result<void> flushed = flush_stdout();
   if (!flushed && !error) error = flushed.error();
-  return error ? complain(error->message(), kBadInput, chosen_name(*app_)) : code;
+  return error ? complain(error->message(), kBadInput, chosen_command(*app_).get_name()) : code;
 }
 
 }  // namespace ccdfuzz

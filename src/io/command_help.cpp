@@ -68,18 +68,9 @@ HelpCommand described(const CLI::App& app) {
     group("Arguments").push_back({name, "", text});
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
-  // The next thing to type comes last.
-  const auto titled = [&](const char* title) {
-    return std::ranges::find(help.groups, title, [](const auto& g) { return g.first; });
-  };
-  for (const char* last : {"Limits", "Other"}) {
-    if (const auto at = titled(last); at != help.groups.end()) {
-      std::rotate(at, at + 1, help.groups.end());
-    }
-  }
-  if (const auto at = titled("Arguments"); at != help.groups.end()) {
-    std::rotate(help.groups.begin(), at, at + 1);
-  }
+  std::ranges::stable_sort(help.groups, {}, [](const auto& g) {
+    return g.first == "Arguments" ? 0 : g.first == "Limits" ? 2 : g.first == "Other" ? 3 : 1;
+  });
   return help;
 }
 
@@ -99,21 +90,10 @@ std::string no_such_option(const CLI::App& command, const std::string& name) {
   return no_such("option", name, names, of);
 }
 
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
-    return help_of(*app);
-  }
-};
-
 }  // namespace
 
 std::string help_of(const CLI::App& app) {
   return help_text(kProgram, described(app));
-}
-
-std::shared_ptr<CLI::FormatterBase> help_formatter() {
-  return std::make_shared<HelpFormatter>();
 }
 
 std::vector<HelpCommand> all_described(const CLI::App& app) {
@@ -124,9 +104,9 @@ std::vector<HelpCommand> all_described(const CLI::App& app) {
   return all;
 }
 
-std::string chosen_name(const CLI::App& app) {
+const CLI::App& chosen_command(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
-  return chosen.empty() ? "" : chosen.front()->get_name();
+  return chosen.empty() ? app : *chosen.front();
 }
 
 std::string no_such_command(const CLI::App& app, const std::string& name) {
@@ -136,8 +116,7 @@ std::string no_such_command(const CLI::App& app, const std::string& name) {
 }
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const CLI::App& command = chosen_command(app);
   // An option that there is not may be why another seems to be missing.
   for (const std::string& extra : app.remaining(true)) {
     const std::string name = extra.substr(0, extra.find('='));
@@ -145,7 +124,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::string extra = app.remaining(true).front();
-    if (chosen.empty()) return extra + ": " + no_such_command(app, extra);
+    if (&command == &app) return extra + ": " + no_such_command(app, extra);
     return fmt::format("{}: is one argument too many; usage: ccdfuzz {} {}", extra,
                        command.get_name(), described(command).usage);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <exception>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,6 @@
 
 namespace CLI {
 class App;
-class FormatterBase;
 class ParseError;
 }  // namespace CLI
 
@@ -17,17 +15,14 @@ namespace ccdfuzz {
 
 inline constexpr const char* kProgram = "ccdfuzz";
 
-/// Help in groups, within 80 columns, for the program and the commands that are added to it later.
-std::shared_ptr<CLI::FormatterBase> help_formatter();
-
-/// The help of one of them.
+/// The help of the program or of one of its commands: in groups, within 80 columns.
 std::string help_of(const CLI::App& app);
 
 /// The help of the program and its listed commands, the program first.
 std::vector<HelpCommand> all_described(const CLI::App& app);
 
-/// The command that was given; empty if none was.
-std::string chosen_name(const CLI::App& app);
+/// The command that was given; the program itself if none was.
+const CLI::App& chosen_command(const CLI::App& app);
 
 /// The error of a name that is no command's.
 std::string no_such_command(const CLI::App& app, const std::string& name);
