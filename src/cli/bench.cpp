@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "base/text.hpp"
@@ -74,17 +73,13 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
   }
 }
 
-/// How many times the time of the first method, as seconds_of gives it. Nothing where one of the
-/// two refused a query: those that both answered are then not the same.
-template <class SecondsOf>
+/// How many times the time of the first method. Nothing where one of the two refused a query: those
+/// that both answered are then not the same.
 std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base,
-                            const SecondsOf& seconds_of) {
+                            double (LogHistogram::*time)() const = &LogHistogram::sum) {
   if (runner.tally.not_asked() + base.tally.not_asked() > 0) return std::nullopt;
-  return seconds_of(runner.tally.seconds) / seconds_of(base.tally.seconds);
+  return (runner.tally.seconds.*time)() / (base.tally.seconds.*time)();
 }
-
-constexpr auto kTotal = std::mem_fn(&LogHistogram::sum);
-constexpr auto kMedian = std::mem_fn(&LogHistogram::median);
 
 /// ≥ where the budget cut some queries short.
 std::string ratio_text(const Race::Runner& runner, const std::optional<double>& times) {
@@ -111,8 +106,8 @@ void print_rows(ContactClass contact, const Race& race, std::uint64_t max_pops) 
       row("max_pops", max_pops);
       row("undecided", tally.count(Outcome::kUndecided));
       row("not_asked", tally.not_asked());
-      row("total_ratio", ratio(runner, base, kTotal));
-      row("median_ratio", ratio(runner, base, kMedian));
+      row("total_ratio", ratio(runner, base));
+      row("median_ratio", ratio(runner, base, &LogHistogram::median));
       row("overrun_seconds", runner.overrun);
     });
   }
@@ -133,7 +128,7 @@ Table ratio_table(const ClassRaces& races) {
       if (row.empty()) row.push_back({marked(runner.spec)});
       row.push_back({runner.tally.n == 0 ? "not asked"
                      : m == 0            ? duration_text(runner.tally.seconds.mean())
-                                         : ratio_text(runner, ratio(runner, base, kTotal))});
+                                         : ratio_text(runner, ratio(runner, base))});
     }
     table.add_row(std::move(row));
   }

@@ -220,8 +220,7 @@ std::vector<Property> chosen_properties(const CheckArguments& options,
   std::vector<Property> chosen;
   for (const std::string& name : options.names) {
     const Property found = need(property_named(name, known));
-    const auto is_it = [&](const Property& property) { return property.name == found.name; };
-    if (std::ranges::none_of(chosen, is_it)) chosen.push_back(found);
+    if (std::ranges::count(chosen, found.name, &Property::name) == 0) chosen.push_back(found);
   }
   return chosen;
 }

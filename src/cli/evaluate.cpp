@@ -38,11 +38,9 @@ Result<std::vector<double>> parse_horizons(const std::string& where, const std::
       return input_error(where,
                          fmt::format("{} is below 1: the contact would be out of reach", factor));
     }
-  }
-  std::vector<double> sorted = factors;
-  std::ranges::sort(sorted);
-  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
-    return input_error(where, fmt::format("{} stands there twice", *twice));
+    if (std::ranges::count(factors, factor) > 1) {
+      return input_error(where, fmt::format("{} stands there twice", factor));
+    }
   }
   return factors;
 }
@@ -114,7 +112,8 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   options.threads = session.threads;
   options.search_for = [&](const Case& value) { return arguments.search.options_for(value); };
   const std::vector<std::string> files = need(case_files(arguments.files));
-  std::optional<ResumedRun> kept;
+  std::optional<RunFile> kept;
+  std::optional<RunLines> earlier;
   const std::string answers = answers_path(arguments.folder);
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
     RunHeader header = need(header_of(files, session));
@@ -123,6 +122,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     if (!arguments.folder.empty()) {
       need(make_folder(arguments.folder));
       kept.emplace(resumed_run(header, answers, "cases"));
+      earlier.emplace(need(kept->done()));
     }
   }
   if (!arguments.page.empty()) need(make_writable_folder(arguments.page));
@@ -132,7 +132,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   CaseCount counts;
   std::uint64_t done = 0, asked = 0;
   need(evaluate(
-      files, options, kept ? &kept->earlier : nullptr,
+      files, options, earlier ? &*earlier : nullptr,
       [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
         counts.add(named.value);
         rows.add(evaluated);
@@ -140,7 +140,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
         if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
         ++done;
         session.progress().show(named.share, evaluated.contact, asked += is_new ? 1 : 0, "cases");
-        return kept && is_new ? kept->file.append(to_json(evaluated)) : Result<void>();
+        return kept && is_new ? kept->append(to_json(evaluated)) : Result<void>();
       },
       [&] { return session.interrupted(); }));
   session.progress().clear();
@@ -153,7 +153,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   counts.note(session);
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
-    need(kept->file.rename(answers));
+    need(kept->rename(answers));
   }
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_row(row);

@@ -109,7 +109,7 @@ Plan plain_plan(const GenerateOptions& options) {
 /// Where the constructions go: those of a share into its run file, others into a data set; those of
 /// the paper's complete set resume from a run file.
 struct Target {
-  std::optional<ResumedRun> run;
+  std::optional<RunFile> run;
   std::optional<MadeSet> set;
   std::uint64_t before = 0;  ///< constructions of earlier runs
 };
@@ -121,11 +121,11 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
   }
   if (header.shard.is_whole() && !options.paper) return target;
   target.run.emplace(resumed_run(header, options.output, "constructions"));
-  auto& [lines, left] = target.run->earlier;
-  target.before = left;
-  for (; target.set && left > 0; --left) {
-    const auto line = need(lines.next());
-    need(target.set->add(need(from_json<MadeCases>(line.value_or(""), lines.where()))));
+  target.before = target.run->size();
+  if (!target.set) return target;
+  RunLines done = need(target.run->done());
+  while (const auto line = need(done.next())) {
+    need(target.set->add(need(from_json<MadeCases>(*line, done.where()))));
   }
   return target;
 }
@@ -143,7 +143,7 @@ std::uint64_t make_all(const Plan& plan, const Shard& shard, Target& target, Ses
         if (session.interrupted() || !kept) stop = true;
         if (!kept || (stop && !target.run)) return;
         const std::string note = made.cost.contact + " " + made.cost.kind;
-        if (target.run) kept = target.run->file.append(to_json(made));
+        if (target.run) kept = target.run->append(to_json(made));
         if (kept && target.set) kept = target.set->add(std::move(made));
         const auto done = static_cast<double>(target.before + ++made_count);
         session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
@@ -181,13 +181,13 @@ int run_generate(const GenerateOptions& options, Session& session) {
                       : session.end_unwritten(made, plan.unit, options.path());
   }
   if (!target.set) {
-    need(target.run->file.rename(options.output));
+    need(target.run->rename(options.output));
     session.summary(fmt::format("share {}/{} in {}: `merge` puts the shares together", shard.index,
                                 shard.of, options.output));
     return kDone;
   }
   need(target.set->writer.finish(target.set->costs));
-  if (target.run) need(target.run->file.remove());
+  if (target.run) need(target.run->remove());
   // What plain cases cost is a remark.
   if (!options.paper && !session.json) leave_stdout_to("/dev/stdout");
   target.set->show(session);

@@ -101,7 +101,7 @@ int run_import(const ImportOptions& options, Session& session) {
       CaseStream(files, options.csv), [](NamedCase& named) { return imported(named); },
       [&](const NamedCase& named, const ImportedRow& query) {
         if (counts.add(query) || session.json) {
-          session.show(query, std::nullopt, [&]() -> std::vector<TableCell> {
+          session.show(query, [&]() -> std::vector<TableCell> {
             return {{query.id},
                     {contact_text(query.label)},
                     {contact_text(query.in_file), true},

@@ -51,7 +51,6 @@ void show(const std::string& id, const Completed& completed, Session& session) {
         row("refuted", completed.refuted);
         row.optional("note", completed.note);
       },
-      std::nullopt,
       [&]() -> std::vector<TableCell> {
         return {{id}, {completed.refuted ? "refuted" : "undecided", true}, {completed.note}};
       });

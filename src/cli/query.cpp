@@ -138,14 +138,14 @@ int run_query(const QueryOptions& options, Session& session) {
         }
         if (spent) return;
         counts.add(named.value);
-        std::optional<std::string> title = title_of(named);
+        session.start_group(title_of(named));
         const std::vector<std::string> asked = methods_for(named.value);
         add_notes(notes, named.id, asked, answers);
         for (size_t m = 0; m < answers.size(); ++m) {
           budget.add(named, answers[m].answer);
           const AnswerRow row{named.id, asked[m], answers[m]};
           tally.add(answers[m].answer, answers[m].outcome, std::nullopt);
-          session.show(row, std::exchange(title, std::nullopt), [&] { return query_cells(row); });
+          session.show(row, [&] { return query_cells(row); });
         }
       },
       &spent);

@@ -178,6 +178,7 @@ class Replay {
       claims_.add(change);
       const bool changed = change != Change::kNone;
       if (session_.json || changed) {
+        session_.start_group(path);
         session_.show(
             [&](auto& row) {
               row("claim", path);
@@ -187,7 +188,6 @@ class Replay {
               row("change", change);
               row.optional("text", text);
             },
-            path,
             [&] {
               return change_cells(find.property, name_of(find.expect), name_of(got), change);
             });
@@ -229,7 +229,7 @@ class Replay {
     not_taken_ += done.not_taken;
     not_claimed_ += done.not_claimed;
     bool changed = false;
-    std::optional<std::string> title = entry.id;
+    session_.start_group(entry.id);
     for (const ReplayRow& row : done.rows) {
       expectations_.add(row.change());
       asked_.insert(row.method);
@@ -238,7 +238,7 @@ class Replay {
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
       if (session_.json || (is_other && ++shown_ <= kMostShown)) {
-        session_.show(row, std::exchange(title, std::nullopt), [&] {
+        session_.show(row, [&] {
           return change_cells(marked(row.method), to_text(row.expected),
                               to_text(row.got, row.judged.late_by), row.change());
         });

@@ -4,7 +4,6 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <filesystem>
-#include <limits>
 
 #include "base/number_text.hpp"
 #include "cli/command.hpp"
@@ -52,13 +51,12 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
 
 /// The folder of `evaluate -o`: its cases and the answers to them, side by side.
 ReportPage report_run(const ReportArguments& options, Session& session) {
-  EarlierLines answers{need(RunLines::open(answers_path(options.source))),
-                       std::numeric_limits<std::uint64_t>::max()};
-  const RunHeader header = answers.lines.header();
+  RunLines answers = need(RunLines::open(answers_path(options.source)));
+  const RunHeader& header = answers.header();
   SearchFlags search;
   const auto precision = header.asked.find("--precision");
   if (precision != header.asked.end()) {
-    search.precision = need(parse_number(answers.lines.where(), precision->second));
+    search.precision = need(parse_number(answers.where(), precision->second));
   }
   for (const std::string& file : header.inputs) need(refuse_irregular(file));
   EvaluateOptions evaluated_as;
@@ -70,8 +68,7 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   need(evaluate(
       header.inputs, evaluated_as, &answers,
       [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
-        if (is_new)
-          return input_error(answers.lines.where(), "is the last line: none is of " + named.id);
+        if (is_new) return input_error(answers.where(), "is the last line: none is of " + named.id);
         rows.add(evaluated);
         shown.add(evaluated, named.value, search.options_for(named.value).precision);
         session.progress().show(named.share, evaluated.contact, ++done, "cases");

@@ -4,7 +4,7 @@
 
 namespace ccdfuzz {
 
-ResumedRun resumed_run(const RunHeader& header, const std::string& output, const char* unit) {
+RunFile resumed_run(const RunHeader& header, const std::string& output, const char* unit) {
   // Whether the result can be written is to be known before the work is done.
   need(OutputFile::create(output));
   const std::string path = RunFile::path_for(output);
@@ -14,7 +14,7 @@ ResumedRun resumed_run(const RunHeader& header, const std::string& output, const
     print_err(fmt::format("ccdfuzz: {}: going on after {} of {} {} in {}\n", header.run, before,
                           header.shard.size(header.items), unit, path));
   }
-  return {std::move(file), {need(RunLines::open(path)), before}};
+  return file;
 }
 
 int Session::end_early(std::uint64_t done, const char* unit, const std::string& what_follows) {

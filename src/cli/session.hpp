@@ -22,15 +22,9 @@
 
 namespace ccdfuzz {
 
-/// A long run that an earlier process may have begun.
-struct ResumedRun {
-  RunFile file;
-  EarlierLines earlier;
-};
-
 /// Resumes the run whose result goes to `output`, or begins it, and says so. unit: of its items.
 /// Throws BadInput: as RunFile::open; the output cannot be written.
-ResumedRun resumed_run(const RunHeader& header, const std::string& output, const char* unit);
+RunFile resumed_run(const RunHeader& header, const std::string& output, const char* unit);
 
 /// The common part of commands: threads, --json, a table or rows on stdout, progress, interrupts.
 class Session {
@@ -49,13 +43,14 @@ class Session {
   /// Prints the rest of the table, and a blank line if it had rows and more text follows.
   void end_table(bool text_follows = false);
 
+  /// The next row of the table, if there is one, begins a group of this title.
+  void start_group(const std::string& title) { table_->start_group(title); }
   /// Prints the row as a line of JSON if --json was given (print_row), and cells() as a row of the
-  /// table otherwise. group: the title of the group that the row begins in the table.
+  /// table otherwise.
   template <class Row, class Cells>
-  void show(const Row& row, const std::optional<std::string>& group, const Cells& cells) {
+  void show(const Row& row, const Cells& cells) {
     if (json) return print_row(row);
     print_rows(*table_, 1000);
-    if (group) table_->start_group(*group);
     table_->add_row(cells());
   }
   /// Prints the row as a line of JSON if --json was given, and the text otherwise.

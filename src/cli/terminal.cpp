@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
 
 #include "base/text.hpp"
 
@@ -18,11 +17,6 @@ namespace {
 constexpr std::chrono::steady_clock::duration kRedrawPause = std::chrono::milliseconds(100),
                                               kFirstPause = std::chrono::seconds(20),
                                               kLongestPause = std::chrono::minutes(10);
-
-bool set_and_not_empty(const char* variable) {
-  const char* const value = std::getenv(variable);
-  return value && *value;
-}
 
 size_t terminal_width() {
   winsize size{};
@@ -54,8 +48,8 @@ std::string rate_text(std::uint64_t done, std::string_view unit, double elapsed)
 }  // namespace
 
 bool wants_colour(std::FILE* stream) {
-  const char* const term = std::getenv("TERM");
-  return isatty(fileno(stream)) == 1 && !set_and_not_empty("NO_COLOR") &&
+  const char *const term = std::getenv("TERM"), *const refused = std::getenv("NO_COLOR");
+  return isatty(fileno(stream)) == 1 && !(refused && *refused) &&
          !(term && std::string_view(term) == "dumb");
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <utility>
 
 #include "ccd/witness_trace/trace.hpp"
 #include "cli/command.hpp"
@@ -12,28 +11,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-/// The axis that lost a contact, or came nearest to that; a page (report) has its cells, too.
-struct AxisRow {
-  int level, axis, below;
-  std::optional<std::array<double, 2>> excluded = {};  ///< the times, where it excludes any
-  std::optional<std::uint64_t> ulps = {};              ///< for a margin
-  std::optional<double> slack = {};
-
-  AxisRow(const TracePlace& place, const auto& by)
-      : level(place.level), axis(by.axis), below(by.below) {
-    if constexpr (requires { by.times; }) excluded = {by.times.lo, by.times.hi};
-  }
-
-  static void fields(auto& archive, auto& row) {
-    archive("level", row.level);
-    archive("axis", row.axis);
-    archive("below", row.below);
-    archive.optional("excluded", row.excluded);
-    archive.optional("ulps", row.ulps);
-    archive.optional("slack", row.slack);
-  }
-};
 
 std::vector<Table::Column> trace_columns() {
   return {method_column(),
@@ -74,14 +51,25 @@ std::vector<TableCell> trace_cells(const std::string& method, const Trace& trace
           {pairs}};
 }
 
-/// Shows how a method's tests treated the witness of a case. group: as in Session::show.
+/// Shows how a method's tests treated the witness of a case.
 void show_trace(const std::string& id, const std::string& method, const Trace& trace,
-                const std::optional<std::string>& group, Session& session) {
-  // Null where there is none.
-  std::optional<AxisRow> loss, margin, slack;
-  if (trace.loss) loss.emplace(trace.loss->place, trace.loss->by);
-  if (trace.margin) margin.emplace(trace.margin->place, trace.margin->by).ulps = trace.margin->ulps;
-  if (trace.slack) slack.emplace(trace.slack->place, trace.slack->gap).slack = trace.slack->value;
+                Session& session) {
+  // The axis that lost the contact, or came nearest to that; a page (report) has its cells, too.
+  const auto add_axis = [](auto& row, const TracePlace& place, const auto& by) {
+    row("level", place.level);
+    row("axis", by.axis);
+    row("below", by.below);
+    if constexpr (requires { by.times; }) row("excluded", std::array{by.times.lo, by.times.hi});
+  };
+  const auto loss = [&](auto& row) { add_axis(row, trace.loss->place, trace.loss->by); };
+  const auto margin = [&](auto& row) {
+    add_axis(row, trace.margin->place, trace.margin->by);
+    row("ulps", trace.margin->ulps);
+  };
+  const auto slack = [&](auto& row) {
+    add_axis(row, trace.slack->place, trace.slack->gap);
+    row("slack", trace.slack->value);
+  };
   const auto row = [&](auto& archive) {
     archive("case", id);
     archive("method", method);
@@ -90,11 +78,11 @@ void show_trace(const std::string& id, const std::string& method, const Trace& t
     archive("lost_pairs", trace.lost_pairs);
     archive("false_claims", trace.false_claims);
     archive("levels", trace.levels);
-    archive("loss", loss);
-    archive("margin", margin);
-    archive("slack", slack);
+    archive("loss", trace.loss ? std::optional(loss) : std::nullopt);
+    archive("margin", trace.margin ? std::optional(margin) : std::nullopt);
+    archive("slack", trace.slack ? std::optional(slack) : std::nullopt);
   };
-  session.show(row, group, [&] { return trace_cells(method, trace); });
+  session.show(row, [&] { return trace_cells(method, trace); });
 }
 
 struct TraceArguments {
@@ -151,14 +139,13 @@ int run_trace(const TraceArguments& options, Session& session) {
         ++cases;
         const bool is_first = traced.by_methods.empty() ? left_out++ == 0 : !first_why_not;
         if (is_first) first_why_not = traced.why_not;
-        std::optional<std::string> title = named.id;  // until something is shown
+        session.start_group(named.id);
         for (size_t m = 0; m < traced.by_methods.size(); ++m) {
           const std::optional<Trace>& trace = traced.by_methods[m];
           ++(trace ? traces : refused);
           if (!trace) continue;
           lost += trace->lost ? 1 : 0;
-          show_trace(named.id, options.methods[m], *trace, std::exchange(title, std::nullopt),
-                     session);
+          show_trace(named.id, options.methods[m], *trace, session);
         }
       });
   if (traces == 0 && first_why_not) throw BadInput{*first_why_not};

@@ -93,7 +93,7 @@ int run_verify(const VerifyOptions& options, Session& session) {
       [&](const NamedCase&, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
-        session.show(verified, std::nullopt, [&]() -> std::vector<TableCell> {
+        session.show(verified, [&]() -> std::vector<TableCell> {
           const std::string standing(name_of(verified.standing));
           return {{verified.id}, {standing, true}, {verified.note}};
         });

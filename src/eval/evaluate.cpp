@@ -73,7 +73,7 @@ Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
 }  // namespace
 
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      EarlierLines* earlier, const OnEvaluated& on_case,
+                      RunLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop) {
   tbb::enumerable_thread_specific<MethodSet> methods;
   CaseStream cases(files);
@@ -88,10 +88,9 @@ Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptio
         }
         if (!named) return std::nullopt;
         ToEvaluate item{*std::move(named), index++, {}};
-        if (earlier == nullptr || earlier->left == 0) return item;
-        CCDFUZZ_TRY(const auto line, earlier->lines.next());
-        earlier->left = line ? earlier->left - 1 : 0;
-        if (line) item.line = {earlier->lines.where(), std::string(*line)};
+        if (earlier == nullptr) return item;
+        CCDFUZZ_TRY(const auto line, earlier->next());
+        if (line) item.line = {earlier->where(), std::string(*line)};
         return item;
       },
       [&](ToEvaluate& item) {

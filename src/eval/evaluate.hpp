@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,7 @@ using OnEvaluated = std::function<Result<void>(const NamedCase& named,
 /// is true no more is read, and what was begun still reaches on_case. Errors: of reading; the first
 /// case that is refuted, naming it; a line that is not of the next case; of on_case.
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      EarlierLines* earlier, const OnEvaluated& on_case,
+                      RunLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop);
 
 }  // namespace ccdfuzz

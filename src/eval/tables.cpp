@@ -1,9 +1,5 @@
 #include "eval/tables.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "eval/paper_rates.hpp"
 #include "files/query_csv.hpp"
 #include "io/output_file.hpp"

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <utility>
 
 #include "base/number_text.hpp"
@@ -72,10 +71,11 @@ std::optional<std::string> RunHeader::difference(const RunHeader& other) const {
                      theirs.begin()->second);
 }
 
-Result<RunLines> RunLines::open(const std::string& path) {
+Result<RunLines> RunLines::open(const std::string& path, std::uint64_t most) {
   CCDFUZZ_TRY_VOID(refuse_irregular(path));
   CCDFUZZ_TRY(LineReader lines, LineReader::open(path, false, kLongestLine));
   RunLines run(std::move(lines));
+  run.most_ = most;
   CCDFUZZ_TRY(const auto first, run.next_whole());
   if (!first) return input_error(path, "is not the file of a run");
   Result<RunHeader> header = from_json<RunHeader>(*first, path);
@@ -91,13 +91,16 @@ Result<RunLines> RunLines::open(const std::string& path) {
 }
 
 Result<std::optional<std::string_view>> RunLines::next() {
+  if (given_ == most_) return std::nullopt;
   auto line = next_whole();
-  if (!line || !*line || header_.items == 0) return line;
+  if (!line || !*line) return line;
+  const std::uint64_t place = given_++;
+  if (header_.items == 0) return line;
   const Shard& shard = header_.shard;
-  if (given_ == shard.size(header_.items)) {
+  if (place == shard.size(header_.items)) {
     return input_error(where(), "the share has more than its items");
   }
-  const std::uint64_t item = shard.item(given_++);
+  const std::uint64_t item = shard.item(place);
   if (!(*line)->starts_with(fmt::format("{{\"index\":{},", item))) {
     return input_error(where(), fmt::format("is not the line of item {}", item));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -44,8 +45,10 @@ struct RunHeader {
 /// last line without its end was being written when the run ended, and does not count.
 class RunLines {
  public:
-  /// Errors: the file cannot be read, or its first line is no header; naming the path.
-  static Result<RunLines> open(const std::string& path);
+  /// most: items to give. Errors: the file cannot be read, or its first line is no header; naming
+  /// the path.
+  static Result<RunLines> open(const std::string& path,
+                               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   const RunHeader& header() const { return header_; }
   /// The line of the next item; nothing at the end. Valid until the next call. Errors: reading; it
@@ -63,14 +66,9 @@ class RunLines {
 
   LineReader lines_;
   RunHeader header_;
+  std::uint64_t most_ = 0;
   std::uint64_t given_ = 0;
   std::uint64_t bytes_ = 0;
-};
-
-/// The items that an earlier process finished: the first lines of a run file.
-struct EarlierLines {
-  RunLines lines;
-  std::uint64_t left = 0;  ///< lines to read still, at most
 };
 
 /// The finished part of a long run: a line per item, in a file that is only appended to. A run
@@ -88,6 +86,8 @@ class RunFile {
 
   /// How many items are done.
   std::uint64_t size() const { return size_; }
+  /// Their lines. Errors: as RunLines::open.
+  Result<RunLines> done() const { return RunLines::open(path_, size_); }
 
   /// Appends the line of the next item, as RunLines has it. Requires no line breaks. Errors: what
   /// the system says, naming the path. No appending after an error.
