@@ -150,12 +150,10 @@ class Minimiser {
       if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
       const Simplicity rank = simplicity_of(whole);
       if (!(rank < rank_)) continue;
-      const bool known = std::any_of(forms.begin(), forms.end(),
-                                     [&](const auto& f) { return f.second.query == whole.query; });
-      if (!known) forms.emplace_back(rank, std::move(whole));
+      const auto is_it = [&](const auto& f) { return f.second.query == whole.query; };
+      if (std::ranges::none_of(forms, is_it)) forms.emplace_back(rank, std::move(whole));
     }
-    std::sort(forms.begin(), forms.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::sort(forms, {}, &std::pair<Simplicity, Contact>::first);
     return forms;
   }
 

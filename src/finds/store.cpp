@@ -42,11 +42,13 @@ Result<void> remove_entry(const std::string& path) {
   return {};
 }
 
+Result<void> write_case(const std::string& path, const Case& value) {
+  return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
+}
+
 /// Writes the tree and then the entry. trees: where the tree is now.
 Result<void> write_entry(const std::string& path, Case value, const std::string& trees) {
-  return carry_tree(value.truth, trees, path).and_then([&] {
-    return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
-  });
+  return carry_tree(value.truth, trees, path).and_then([&] { return write_case(path, value); });
 }
 
 /// Makes an entry say what a united one does. The name of a tree follows from that of its entry:
@@ -55,17 +57,14 @@ Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
   const std::string& path = old.id;
   Case& value = united.value;
   if (value == old.value) return Store::Put::kKnown;
-  const auto write = [&](const Case& now) {
-    return write_file(path, to_json(now, JsonLayout::kReadable) + "\n");
-  };
   const bool had_tree = miss_tree(old.value.truth) != nullptr;
   Result<void> written;
   if (miss_tree(value.truth) && value.truth.clearance != old.value.truth.clearance) {
     Case bare = old.value;
-    if (drop_tree(bare.truth)) written = write(bare);
+    if (drop_tree(bare.truth)) written = write_case(path, bare);
     if (written) written = carry_tree(value.truth, united.trees, path);
   }
-  if (written) written = write(value);
+  if (written) written = write_case(path, value);
   std::error_code error;
   if (written && had_tree && !miss_tree(value.truth)) fs::remove(trees_path(path), error);
   if (error) return system_error(trees_path(path), "remove", error.value());
@@ -95,8 +94,8 @@ std::optional<Failure> named_by_failure(const NamedCase& entry) {
 Result<FolderLock> Store::enter() {
   CCDFUZZ_TRY_VOID(make_folder(home_));
   CCDFUZZ_TRY(auto lock, FolderLock::take(home_));
-  if (OpenFolder now = lock.folder(); !(now == home_folder_)) {
-    home_folder_ = std::move(now);
+  if (!lock.is_of(home_folder_)) {
+    home_folder_ = lock.folder();
     ++times_replaced_;
     CCDFUZZ_TRY_VOID(read_named());
   }

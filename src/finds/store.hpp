@@ -104,7 +104,7 @@ class Store {
   std::string folder_;
   std::string home_;  ///< where entries are written; locked while that is done
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards all below
-  OpenFolder home_folder_;
+  Descriptor home_folder_;
   std::uint64_t times_replaced_ = 0;
   std::set<Named> named_;
 };

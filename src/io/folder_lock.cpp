@@ -19,19 +19,16 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   return FolderLock(std::move(descriptor));
 }
 
-OpenFolder FolderLock::folder() const {
+Descriptor FolderLock::folder() const {
   // Not a duplicate of the descriptor, which would hold the lock.
-  return OpenFolder(::openat(*descriptor_, ".", O_PATH | O_DIRECTORY | O_CLOEXEC));
+  return Descriptor(::openat(*descriptor_, ".", O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
-std::pair<dev_t, ino_t> OpenFolder::inode() const {
-  struct stat info {};
-  if (::fstat(*descriptor_, &info) != 0) return {};
-  return {info.st_dev, info.st_ino};
-}
-
-bool OpenFolder::operator==(const OpenFolder& other) const {
-  return inode() == other.inode();
+bool FolderLock::is_of(const Descriptor& folder) const {
+  using Status = struct stat;
+  Status locked{}, other{};
+  return ::fstat(*descriptor_, &locked) == 0 && ::fstat(*folder, &other) == 0 &&
+         locked.st_dev == other.st_dev && locked.st_ino == other.st_ino;
 }
 
 }  // namespace ccdfuzz
