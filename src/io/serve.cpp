@@ -1,8 +1,6 @@
 #include "io/serve.hpp"
 
-#include <fcntl.h>
 #include <sys/time.h>
-#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -58,32 +56,19 @@ std::string worked(const std::function<std::string(const std::string&)>& work,
 }  // namespace
 
 void serve_lines(const std::function<std::string(const std::string&)>& work, double cpu_seconds) {
-  const int questions = duplicate_out_of_the_way(STDIN_FILENO);
-  const int replies = duplicate_out_of_the_way(STDOUT_FILENO);
-  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (questions < 0 || replies < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
-      ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-    std::_Exit(1);
-  }
   for (const int signal : kFatalSignals) ::signal(signal, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  FILE* const in = ::fdopen(questions, "r");
-  char* line = nullptr;
-  std::size_t room = 0;
-  for (ssize_t length; (length = ::getline(&line, &room, in)) > 0;) {
-    if (line[length - 1] == '\n') --length;
-    const std::string question(line, static_cast<std::size_t>(length));
+  answer_lines([&](std::string_view question, int replies) {
     bool failed = false;
     limit_cpu_seconds(cpu_seconds);
-    std::string answer = worked(work, question, failed);
+    const std::string answer = worked(work, std::string(question), failed);
     limit_cpu_seconds(0);
     std::fflush(nullptr);
     if (write_all(replies, answer + "\n") != 0) std::_Exit(1);
-    if (failed) break;
-  }
-  std::_Exit(0);
+    if (failed) std::_Exit(0);
+  });
 }
 
 void serve_by_this_program() {

@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
-#include <vector>
 
 #include "base/enum_names.hpp"
 #include "case/judge.hpp"

@@ -236,17 +236,11 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
 struct MetPlugins {
   std::mutex mutex;
   std::map<std::string, std::shared_ptr<const KnownPlugin>> by_spec;
-};
-
-MetPlugins& met_plugins() {
-  static MetPlugins met;
-  return met;
-}
+} met;
 
 }  // namespace
 
 Result<void> admit_plugin(const std::string& spec) {
-  MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);
   if (!names_plugin(spec) || met.by_spec.contains(spec)) return {};
   return start_and_ask(spec).map([&](const auto& started) { met.by_spec.emplace(spec, started); });
@@ -263,7 +257,6 @@ Result<void> name_plugin(const std::string& name, const std::string& spec) {
     return input_error("", fmt::format("\"{}\" is not a name of letters, digits and '-'", name));
   }
   const std::string known_as = kPluginPrefix + name;
-  MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);
   if (met.by_spec.contains(known_as)) {
     return input_error("", fmt::format("\"{}\" stands for a plug-in already", known_as));
@@ -286,7 +279,6 @@ bool is_admitted(const std::string& spec) {
 }
 
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
-  MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);
   if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
   return input_error("--methods", fmt::format("\"{}\" is a plug-in that the command line does not "

@@ -4,13 +4,11 @@
 // started this limits the time.
 // It is built without sanitizers: it loads what users built.
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -349,20 +347,11 @@ class Plugin {
 /// The questions come on a descriptor that the plug-in does not know; what it prints goes to
 /// stderr.
 [[noreturn]] void serve(const char* path, unsigned seconds) {
-  const int questions = ccdfuzz::duplicate_out_of_the_way(STDIN_FILENO);
-  reply_descriptor = ccdfuzz::duplicate_out_of_the_way(STDOUT_FILENO);
-  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (questions < 0 || reply_descriptor < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
-      ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-    std::_Exit(1);
-  }
   std::set_new_handler(out_of_memory);
-  FILE* const in = ::fdopen(questions, "r");
   std::unique_ptr<Plugin> plugin;
-  char* line = nullptr;
-  size_t room = 0;
-  for (ssize_t length; (length = ::getline(&line, &room, in)) > 0;) {
-    const Json asked = Json::parse(line, line + length);
+  ccdfuzz::answer_lines([&](std::string_view line, int replies) {
+    reply_descriptor = replies;
+    const Json asked = Json::parse(line);
     // Should whoever asks be gone, a plug-in that hangs ends by this.
     ::alarm(seconds);
     Json reply;
@@ -376,8 +365,7 @@ class Plugin {
     std::fflush(nullptr);
     ::alarm(0);
     send(reply);
-  }
-  std::_Exit(0);
+  });
 }
 
 }  // namespace
