@@ -343,7 +343,6 @@ void query_fields(auto& archive, auto& query) {
 
 void case_fields(auto& archive, auto& value) {
   const int version = archive.format("ccdfuzz-case", 1, 2);
-  archive.reserved({"bodies"});
   query_fields(archive, value.query);
   archive.optional("truth", value.truth);
   archive.optional("origin", value.origin);

@@ -14,6 +14,7 @@
 #include "certify/checker/check_turning.hpp"
 #include "files/engine_words.hpp"
 #include "numeric/exact_scalars.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -114,12 +115,9 @@ double allowed_delay(const Case& value, const EngineWords& engine) {
       const Rational& t = value.truth.witness->t;
       const Vec3<Rational> way_of_points = velocity_at(patches[0], touched_point(value, 0), t) -
                                            velocity_at(patches[1], touched_point(value, 1), t);
-      Rational towards = 0, square = 0;
-      for (const int k : kAxes) {
-        const Rational& n = planes->planes.back().normals[1][static_cast<size_t>(k)];
-        towards += n * way_of_points[k];
-        square += n * n;
-      }
+      const auto& [x, y, z] = planes->planes.back().normals[1];
+      const Vec3<Rational> normal(x, y, z);
+      const Rational towards = dot(normal, way_of_points), square = dot(normal, normal);
       speed = Rational(abs(towards)).get_d() / std::sqrt(square.get_d()) *
               step_of_bodies(value.query, engine);
     }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
+#include "base/text.hpp"
 #include "io/json_tree.hpp"
 
 namespace ccdfuzz {
@@ -24,13 +24,9 @@ std::string shown_text(std::string_view text) {
   return fmt::format("\"{}{}\"", text.substr(0, kShown), text.size() > kShown ? "…" : "");
 }
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (size_t begin = 0; begin <= line.size();) {
-    const size_t comma = std::min(line.find(',', begin), line.size());
-    fields.push_back(trimmed(line.substr(begin, comma - begin)));
-    begin = comma + 1;
-  }
+std::vector<std::string> fields_of(std::string_view line) {
+  std::vector<std::string> fields = texts_between(std::string(line));
+  for (std::string& field : fields) field = trimmed(field);
   return fields;
 }
 
@@ -135,7 +131,7 @@ std::string CsvReader::here() const {
   return fmt::format("{}:{}", lines_.path(), lines_.line());
 }
 
-Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string_view>& fields) const {
+Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& fields) const {
   Vec3<Rational> point;
   for (size_t k = 0; k < 3; ++k) {
     std::array<Integer, 2> parts;
@@ -157,7 +153,7 @@ Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string_view>& 
 }
 
 /// Its truth if there is a column for it.
-Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string_view>& fields) const {
+Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string>& fields) const {
   if (fields.size() < kColumns.size()) return std::nullopt;
   if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
   return input_error(
@@ -165,16 +161,16 @@ Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string_vi
 }
 
 /// The fields of the next row; none at the end.
-Result<std::vector<std::string_view>> CsvReader::next_row() {
+Result<std::vector<std::string>> CsvReader::next_row() {
   for (;;) {
     CCDFUZZ_TRY(const auto text, lines_.next());
-    if (!text) return std::vector<std::string_view>();
+    if (!text) return std::vector<std::string>();
     std::string_view row = *text;
     // Spreadsheets begin files with a byte order mark.
     if (lines_.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
     row = trimmed(row);
     if (row.empty() || row.front() == '#') continue;
-    std::vector<std::string_view> fields = fields_of(row);
+    std::vector<std::string> fields = fields_of(row);
     if (fields.size() == 6 || fields.size() == 7) return fields;
     return input_error(
         here(), fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));

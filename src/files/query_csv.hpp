@@ -82,9 +82,9 @@ class CsvReader {
  private:
   explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}
   std::string here() const;
-  Result<Vec3<Rational>> point_of(const std::vector<std::string_view>& fields) const;
-  Result<std::optional<bool>> label_of(const std::vector<std::string_view>& fields) const;
-  Result<std::vector<std::string_view>> next_row();
+  Result<Vec3<Rational>> point_of(const std::vector<std::string>& fields) const;
+  Result<std::optional<bool>> label_of(const std::vector<std::string>& fields) const;
+  Result<std::vector<std::string>> next_row();
   Result<void> check_end(size_t row, size_t rows) const;
 
   LineReader lines_;

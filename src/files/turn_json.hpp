@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include "bezier/turn.hpp"
 #include "case/certificate.hpp"
 #include "io/fields.hpp"

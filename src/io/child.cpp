@@ -17,7 +17,6 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
 #include "io/supervise.hpp"
@@ -232,14 +231,13 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
     if (left <= 0) {
-      return tl::unexpected(
-          stopped("hang", fmt::format("no answer within {} s", program_.limits.seconds) +
-                              last_words(printed_text_)));
+      return stopped("hang", fmt::format("no answer within {} s", program_.limits.seconds) +
+                                 last_words(printed_text_));
     }
     const std::chrono::duration<double> taken = Clock::now() - begin;
     if (program_.interrupted != nullptr && *program_.interrupted &&
         taken.count() >= ChildProgram::kPatience) {
-      return tl::unexpected(stopped("interrupted", "no answer when it was interrupted"));
+      return stopped("interrupted", "no answer when it was interrupted");
     }
     std::array<pollfd, 3> watched = {{{*replies_, POLLIN, 0},
                                       {*printed_, POLLIN, 0},
@@ -249,9 +247,8 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
     if (ready < 0 && errno != EINTR) system_refused("wait for a process", errno);
     const bool dead = ready == 0 && is_dead();  // before the look at what it wrote
     if (!read_printed()) {
-      return tl::unexpected(
-          stopped("output", fmt::format("printed more than {} bytes", kMostPrintedBytes) +
-                                last_words(printed_text_)));
+      return stopped("output", fmt::format("printed more than {} bytes", kMostPrintedBytes) +
+                                   last_words(printed_text_));
     }
     const bool open = read_reply();
     if (const size_t end = reply_.find('\n'); end != std::string::npos) {
@@ -260,11 +257,10 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
       return line;
     }
     if (reply_.size() > program_.limits.reply_bytes) {
-      return tl::unexpected(stopped(
-          "output",
-          fmt::format("answered with a line of more than {} bytes", program_.limits.reply_bytes)));
+      return stopped("output", fmt::format("answered with a line of more than {} bytes",
+                                           program_.limits.reply_bytes));
     }
-    if (!open || dead) return tl::unexpected(ended());
+    if (!open || dead) return ended();
   }
 }
 
@@ -296,9 +292,9 @@ bool Child::read_printed() {
   return false;
 }
 
-Fault Child::stopped(const std::string& name, const std::string& note) {
+tl::unexpected<Fault> Child::stopped(const std::string& name, const std::string& note) {
   kill();
-  return {name, note};
+  return tl::unexpected(Fault{name, note});
 }
 
 bool Child::is_dead() const {
@@ -318,7 +314,7 @@ pid_t Child::await_end(Clock::duration most, int* status, rusage* used) const {
 }
 
 /// It closed its output, or is dead: how did it end?
-Fault Child::ended() {
+tl::unexpected<Fault> Child::ended() {
   int status = 0;
   rusage used{};
   const pid_t gone = await_end(kTimeToDie, &status, &used);
@@ -336,7 +332,7 @@ Fault Child::ended() {
   // Linux counts what this process had when it became another by exec: then less is not known.
   auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
   if (kibibytes <= own_kibibytes_) kibibytes = 0;
-  return fault_of_end(status, kibibytes, program_.limits, printed);
+  return tl::unexpected(fault_of_end(status, kibibytes, program_.limits, printed));
 }
 
 }  // namespace ccdfuzz

@@ -81,9 +81,9 @@ class Child {
   tl::expected<std::string, Fault> await_reply(const std::string& question,
                                                Clock::time_point until);
   bool is_dead() const;
-  Fault ended();
+  tl::unexpected<Fault> ended();
   pid_t await_end(Clock::duration most, int* status, rusage* used) const;
-  Fault stopped(const std::string& name, const std::string& note);
+  tl::unexpected<Fault> stopped(const std::string& name, const std::string& note);
   bool read_reply();
   bool read_printed();
 

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -141,8 +140,6 @@ class JsonWriter {
   void others(const std::map<std::string, std::string>& members) {
     for (const auto& [name, text] : members) (*this)(name, RawJson{text});
   }
-  /// Members that later versions will have.
-  void reserved(std::initializer_list<std::string_view>) {}
   /// A field that says what the record is.
   void constant(std::string_view name, std::string_view text) { (*this)(name, text); }
   /// The kind of the text, in its first two fields; returns the version.
@@ -195,13 +192,6 @@ class JsonReader {
       const std::string& text = member.value().text;
       members[key] = kind == JsonKind::kNumber ? text : json_string(text);
       known_.push_back(key);
-    }
-  }
-  /// Refused: a member that only later versions have.
-  void reserved(std::initializer_list<std::string_view> names) const {
-    for (const std::string_view name : names) {
-      if (const auto found = object_.find(name))
-        found->refuse("is not yet supported by this version");
     }
   }
   /// Refused: another text.
@@ -260,14 +250,11 @@ class JsonReader {
 
 namespace fields_detail {
 
-template <class T>
-inline constexpr bool kIsOptional = false;
-template <class T>
-inline constexpr bool kIsOptional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool kIsVector = false;
-template <class T>
-inline constexpr bool kIsVector<std::vector<T>> = true;
+/// Whether T is an instance of the template.
+template <class T, template <class...> class Of>
+inline constexpr bool kIs = false;
+template <class... A, template <class...> class Of>
+inline constexpr bool kIs<Of<A...>, Of> = true;
 template <class T>
 inline constexpr bool kIsArray = false;
 template <class T, size_t N>
@@ -314,9 +301,9 @@ void write_json(std::string& json, const T& value) {
       value(writer);
     }
     json += '}';
-  } else if constexpr (kIsOptional<T>) {
+  } else if constexpr (kIs<T, std::optional>) {
     value ? write_json(json, *value) : static_cast<void>(json += "null");
-  } else if constexpr (kIsVector<T> || kIsArray<T>) {
+  } else if constexpr (kIs<T, std::vector> || kIsArray<T>) {
     write_items(json, value);
   } else if constexpr (std::same_as<T, RawJson>) {
     json += value.text;
@@ -340,7 +327,7 @@ void read_json(const JsonCursor& from, T& value) {
     JsonForm<T>::read(from, value);
   } else if constexpr (HasFields<T>) {
     read_record(from, value, Unknown::kRefuse);
-  } else if constexpr (kIsOptional<T>) {
+  } else if constexpr (kIs<T, std::optional>) {
     if (from.is_null()) return value.reset();
     read_json(from, value.emplace());
   } else if constexpr (kIsMap<T>) {
@@ -348,7 +335,7 @@ void read_json(const JsonCursor& from, T& value) {
     for (const std::string& key : from.object().value().keys) {
       read_json(from.at(key), value.insert(value.end(), {key, {}})->second);
     }
-  } else if constexpr (kIsVector<T>) {
+  } else if constexpr (kIs<T, std::vector>) {
     value.clear();
     for (size_t i = 0; i < from.array().size(); ++i) read_json(from.item(i), value.emplace_back());
   } else if constexpr (kIsArray<T>) {

@@ -134,13 +134,9 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) return system_error(path, "write", EISDIR);
-  if (is_standard_output(path)) {
-    file.descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-    if (file.descriptor_ < 0) return system_error(path, "write", errno);
-    return file;
-  }
   if (is_stream(path)) {
-    file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    file.descriptor_ = is_standard_output(path) ? ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                                                : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file.descriptor_ < 0) return system_error(path, "write", errno);
     return file;
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "base/text.hpp"
@@ -33,8 +32,10 @@ std::string markdown_field(const std::string& text) {
   return escaped;
 }
 
-void strip_trailing_blanks(std::string& line) {
-  line.erase(line.find_last_not_of(' ') + 1);
+/// Two blanks between the texts, and none behind the last.
+std::string line_of(const std::vector<std::string>& texts) {
+  const std::string line = fmt::format("{}", fmt::join(texts, "  "));
+  return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
 }  // namespace
@@ -77,25 +78,21 @@ std::string Table::cell_text(const Row& row, size_t column) const {
 Table::Layout Table::full_layout() const {
   Layout layout;
   for (size_t c = 0; c < columns_.size(); ++c) {
-    layout.columns.push_back(c);
-    layout.widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
-    for (const Row& row : rows_) {
-      layout.widths[c] = std::max(layout.widths[c], width(cell_text(row, c)));
-    }
+    size_t needed = std::max(width(columns_[c].title), columns_[c].least_width);
+    for (const Row& row : rows_) needed = std::max(needed, width(cell_text(row, c)));
+    layout.push_back({c, needed});
   }
   return layout;
 }
 
 std::vector<Table::Layout> Table::parts() const {
-  const Layout all = full_layout();
   Layout keys;
   size_t keys_width = 0, used = 0;
   std::vector<Layout> parts;
-  for (const size_t c : all.columns) {
-    const size_t needed = all.widths[c] + 2;
-    if (parts.empty() && columns_[c].align == Align::kLeft) {
-      keys.columns.push_back(c);
-      keys.widths.push_back(all.widths[c]);
+  for (const Place& place : full_layout()) {
+    const size_t needed = place.width + 2;
+    if (parts.empty() && columns_[place.column].align == Align::kLeft) {
+      keys.push_back(place);
       keys_width += needed;
       continue;
     }
@@ -103,36 +100,30 @@ std::vector<Table::Layout> Table::parts() const {
       parts.push_back(keys);
       used = keys_width;
     }
-    parts.back().columns.push_back(c);
-    parts.back().widths.push_back(all.widths[c]);
+    parts.back().push_back(place);
     used += needed;
   }
-  return parts.empty() ? std::vector{keys} : parts;
+  return parts.empty() ? std::vector<Layout>{keys} : parts;
 }
 
 std::string Table::header_text(const Layout& layout, bool colour) const {
-  std::string header;
-  for (size_t i = 0; i < layout.columns.size(); ++i) {
-    if (i > 0) header += "  ";
-    const Column& column = columns_[layout.columns[i]];
-    header += padded(column.title, layout.widths[i], column.align);
+  std::vector<std::string> titles;
+  for (const auto& [c, wide] : layout) {
+    titles.push_back(padded(columns_[c].title, wide, columns_[c].align));
   }
-  strip_trailing_blanks(header);
+  const std::string header = line_of(titles);
   return colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
 }
 
 std::string Table::row_text(const Row& row, const Layout& layout, bool colour) const {
-  std::string line;
-  for (size_t i = 0; i < layout.columns.size(); ++i) {
-    if (i > 0) line += "  ";
-    const size_t c = layout.columns[i];
-    const std::string cell = padded(cell_text(row, c), layout.widths[i], columns_[c].align);
-    line += colour && row.cells[c].is_bad ? "\x1b[1;31m" + cell + "\x1b[0m" : cell;
+  std::vector<std::string> cells;
+  for (const auto& [c, wide] : layout) {
+    const std::string cell = padded(cell_text(row, c), wide, columns_[c].align);
+    cells.push_back(colour && row.cells[c].is_bad ? "\x1b[1;31m" + cell + "\x1b[0m" : cell);
   }
-  strip_trailing_blanks(line);
   std::string before;
   if (row.group) before = row.group->empty() ? "\n" : "\n" + shown_lines(*row.group) + "\n";
-  return before + line + "\n";
+  return before + line_of(cells) + "\n";
 }
 
 std::string Table::to_text(bool colour) const {
@@ -152,7 +143,7 @@ std::string Table::take_text(bool colour, size_t least) {
   for (const Row& row : rows_) out += row_text(row, layout, colour);
   rows_taken_ += rows_.size();
   rows_.clear();
-  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = layout.widths[c];
+  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = layout[c].width;
   return out;
 }
 

@@ -53,10 +53,11 @@ class Table {
     std::vector<TableCell> cells;
     std::optional<std::string> group;  ///< the title of the group that it starts
   };
-  /// Which columns a text shows, and how wide each is.
-  struct Layout {
-    std::vector<size_t> columns, widths;
+  struct Place {
+    size_t column, width;
   };
+  /// Which columns a text shows, and how wide each is.
+  using Layout = std::vector<Place>;
 
   std::string header_text(const Layout& layout, bool colour) const;
   std::string row_text(const Row& row, const Layout& layout, bool colour) const;
