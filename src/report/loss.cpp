@@ -4,10 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -22,16 +24,10 @@ Heights heights_at(const MovingPatch<double>& patch, const Cell& cell, const Vec
                    const Rational& t) {
   const MovingPatch<Rational> part =
       restrict_to(exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
-  Heights heights;
-  bool first = true;
-  for (const Vec3<Rational>& p : part.at(t)) {
-    Rational height = 0;
-    for (int k = 0; k < 3; ++k) height += p[k] * exact(axis[k]);
-    if (first || height < heights.lowest) heights.lowest = height;
-    if (first || height > heights.highest) heights.highest = height;
-    first = false;
-  }
-  return heights;
+  std::vector<Rational> heights;
+  for (const Vec3<Rational>& p : part.at(t)) heights.push_back(dot(p, exact(axis)));
+  const auto [lowest, highest] = std::ranges::minmax(heights);
+  return {lowest, highest};
 }
 
 /// Doubles in (a, b], 0 ≤ a ≤ b.
@@ -60,8 +56,8 @@ std::optional<LossFacts::Overlap> overlap_of(const Query& query, const Witness& 
   }
   const auto below = static_cast<size_t>(loss.by.below);
   const Rational overlap = heights[below].highest - heights[1 - below].lowest;
-  Rational squares = 0, largest = 0;
-  for (int k = 0; k < 3; ++k) squares += exact(axis[k]) * exact(axis[k]);
+  const Rational squares = dot(exact(axis), exact(axis));
+  Rational largest = 0;
   for (const Heights& h : heights) {
     largest = std::max<Rational>({largest, abs(h.lowest), abs(h.highest)});
   }

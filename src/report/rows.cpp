@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "base/enum_names.hpp"
 #include "eval/curvature.hpp"
 #include "eval/horizons.hpp"
 #include "eval/tables.hpp"
