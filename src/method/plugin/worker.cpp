@@ -91,9 +91,10 @@ struct Fenced {
 constexpr auto kShapeNames = names_of(ccdfuzz::ShapeKind{});
 static_assert(CCDFUZZ_HULL == static_cast<int>(ccdfuzz::ShapeKind::kHull));
 
-std::string_view shape_name(std::uint32_t shape) {
-  if (shape < kShapeNames.size()) return kShapeNames[shape];
-  fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
+/// The name of a number that a description holds.
+std::string_view named(const auto& names, std::uint32_t number, const std::string& what) {
+  if (number < names.size()) return names[number];
+  fault("sizes", "describes a " + what + " " + std::to_string(number) + " that there is not");
 }
 
 Json real(double x) {
@@ -155,7 +156,7 @@ class Plugin {
     for (std::uint64_t i = 0; i < d.pair_count; ++i) {
       Json pair = Json::array();
       for (int side = 0; side < 2; ++side) {
-        pair.push_back({{"shape", shape_name(d.pairs[i].shapes[side])},
+        pair.push_back({{"shape", named(kShapeNames, d.pairs[i].shapes[side], "shape")},
                         {"max_degree", d.pairs[i].max_degrees[side]}});
       }
       accepts.push_back(pair);
@@ -167,15 +168,12 @@ class Plugin {
     Json bodies = Json::array();
     for (std::uint64_t i = 0; i < d.body_count; ++i) {
       const ccdfuzz_body_kind& kind = d.bodies[i];
-      if (kind.radius >= kRadii.size()) fault("sizes", "describes an unknown radius");
       bodies.push_back({{"least_points", kind.least_points},
                         {"most_points", kind.most_points},
-                        {"radius", kRadii[kind.radius]}});
+                        {"radius", named(kRadii, kind.radius, "radius")}});
     }
     constexpr std::array kKinds = {"time", "time_relative", "space", "space_relative"};
-    if (d.tolerance_kind >= kKinds.size()) fault("sizes", "describes an unknown tolerance");
     constexpr std::array kPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
-    if (d.nan_policy >= kPolicies.size()) fault("sizes", "describes an unknown NaN policy");
     Json description = {{"protocol", 1},
                         {"name", d.name == nullptr ? "" : d.name},
                         {"version", d.version == nullptr ? "" : d.version},
@@ -183,10 +181,10 @@ class Plugin {
                         {"conservative", (d.claims & CCDFUZZ_CONSERVATIVE) != 0},
                         {"closed_t_max", (d.claims & CCDFUZZ_CLOSED_T_MAX) != 0},
                         {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
-                        {"tolerance_kind", kKinds[d.tolerance_kind]},
+                        {"tolerance_kind", named(kKinds, d.tolerance_kind, "tolerance_kind")},
                         {"tolerance", real(d.tolerance)},
                         {"minimum_separation", real(d.minimum_separation)},
-                        {"nan_policy", kPolicies[d.nan_policy]},
+                        {"nan_policy", named(kPolicies, d.nan_policy, "nan_policy")},
                         {"promise", d.promise == nullptr ? "" : d.promise},
                         {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
                         {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
