@@ -5,7 +5,6 @@
 
 #include "base/double_parts.hpp"
 #include "base/fp_guard.hpp"
-#include "ccd/next_double.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_box.hpp"
@@ -23,6 +22,7 @@
 #include "io/json_real.hpp"
 #include "io/json_write.hpp"
 #include "method/method.hpp"
+#include "numeric/next_double.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"

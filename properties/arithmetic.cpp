@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "base/double_parts.hpp"
-#include "ccd/next_double.hpp"
 #include "generators/exact_sum.hpp"
 #include "io/json_real.hpp"
 #include "io/json_write.hpp"
 #include "numeric/bounded_int.hpp"
+#include "numeric/next_double.hpp"
 #include "numeric/wide_int.hpp"
 #include "properties/show.hpp"
 

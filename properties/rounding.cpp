@@ -1,5 +1,5 @@
-#include "ccd/next_double.hpp"
 #include "ccd/robustness.hpp"
+#include "numeric/next_double.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/show.hpp"
 

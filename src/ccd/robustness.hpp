@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "ccd/line.hpp"
-#include "ccd/next_double.hpp"
 #include "ccd/reading.hpp"
 #include "ccd/time_interval.hpp"
+#include "numeric/next_double.hpp"
 
 namespace ccdfuzz {
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/double_parts.hpp"
 #include "base/fp_guard.hpp"
 #include "base/verify.hpp"
+#include "numeric/next_double.hpp"
 
 namespace ccdfuzz {
 
@@ -23,44 +25,10 @@ Rational scaled(Rational x, long exponent) {
   return x;
 }
 
-constexpr int kMantissaBits = std::numeric_limits<double>::digits;                        // 53
-constexpr long kMinExponent = std::numeric_limits<double>::min_exponent - kMantissaBits;  // -1074
-constexpr int kMaxExponent = std::numeric_limits<double>::max_exponent - kMantissaBits;   // 971
-
-/// Exponent e with 2^(e-1) ≤ |x| < 2^(e+1) for x ≠ 0: off by at most one from the true one.
-long rough_exponent(const Rational& x) {
-  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
-         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
-}
-
-/// The largest double ≤ x is mantissa·2^exponent, and the next one is one unit of 2^exponent more.
-struct Truncated {
-  std::int64_t mantissa;
-  int exponent;
-  bool is_exact;  ///< it equals x
-
-  double down() const { return double_of(mantissa, exponent); }
-  double up() const { return double_of(is_exact ? mantissa : mantissa + 1, exponent); }
-};
-
-/// Requires x > 0. Past the range it is the largest double, and the next one is infinity.
-Truncated truncated(const Rational& x) {
-  static const Rational most = exact(std::numeric_limits<double>::max());
-  if (x > most) return {(std::int64_t{1} << kMantissaBits) - 1, kMaxExponent, false};
-  // The quotient below keeps at least 53 bits, or all down to the smallest subnormal; a second look
-  // truncates it to 53.
-  long shift = std::max(rough_exponent(x) - kMantissaBits - 1, kMinExponent);
-  const Rational units = scaled(x, -shift);
-  Integer q, rest;
-  mpz_fdiv_qr(q.get_mpz_t(), rest.get_mpz_t(), units.get_num_mpz_t(), units.get_den_mpz_t());
-  bool is_exact = rest == 0;
-  const long extra = static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2)) - kMantissaBits;
-  if (extra > 0) {
-    is_exact = is_exact && mpz_divisible_2exp_p(q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
-    mpz_fdiv_q_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
-    shift += extra;
-  }
-  return {q.get_si(), static_cast<int>(shift), is_exact};
+/// x rounded towards 0; the largest double past the range. By bits and integers alone.
+double truncated(const Rational& x) {
+  const double d = x.get_d();
+  return std::copysign(is_finite(d) ? d : std::numeric_limits<double>::max(), sgn(x));
 }
 
 }  // namespace
@@ -76,22 +44,18 @@ Rational power_of_two(long exponent) {
 }
 
 double round_down(const Rational& x) {
-  const int s = sgn(x);
-  if (s == 0) return 0.0;
-  return s > 0 ? truncated(x).down() : -truncated(-x).up();
+  const double d = truncated(x);
+  return exact(d) > x ? next_down(d) : d;
 }
 
 double round_up(const Rational& x) {
-  const int s = sgn(x);
-  if (s == 0) return 0.0;
-  return s > 0 ? truncated(x).up() : -truncated(-x).down();
+  const double d = truncated(x);
+  return exact(d) < x ? next_up(d) : d;
 }
 
 std::optional<double> to_double_exactly(const Rational& x) {
-  if (sgn(x) == 0) return 0.0;
-  const Truncated t = truncated(abs(x));
-  if (!t.is_exact) return std::nullopt;
-  return sgn(x) > 0 ? t.down() : -t.down();
+  const double d = truncated(x);
+  return exact(d) == x ? std::optional(d) : std::nullopt;
 }
 
 bool is_dyadic(const Rational& x) {

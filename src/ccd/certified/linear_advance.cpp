@@ -6,7 +6,7 @@
 #include "bezier/bernstein.hpp"
 #include "ccd/certified/linear_differences.hpp"
 #include "ccd/certified/projection.hpp"
-#include "ccd/next_double.hpp"
+#include "numeric/next_double.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz::certified {

@@ -9,7 +9,7 @@
 #include "ccd/certified/moment.hpp"
 #include "ccd/certified/moving_polygon.hpp"
 #include "ccd/certified/short_contact.hpp"
-#include "ccd/next_double.hpp"
+#include "numeric/next_double.hpp"
 
 namespace ccdfuzz::certified {
 

@@ -2,8 +2,8 @@
 
 #include "base/verify.hpp"
 #include "ccd/certified/projection.hpp"
-#include "ccd/next_double.hpp"
 #include "ccd/time_interval.hpp"
+#include "numeric/next_double.hpp"
 
 namespace ccdfuzz::certified {
 
