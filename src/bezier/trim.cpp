@@ -25,24 +25,11 @@ const Uv<double>& next(const Loop& loop, size_t i) {
   return loop[i + 1 == loop.size() ? 0 : i + 1];
 }
 
-bool are_boxes_apart(const Uv<double>& a, const Uv<double>& b, const Uv<double>& c,
-                     const Uv<double>& d) {
-  for (const size_t k : {size_t{0}, size_t{1}}) {
-    const auto below = [k](const Uv<double>& p, const Uv<double>& q) {
-      return compare(p[k], q[k]) < 0;
-    };
-    if (below(a, c) && below(a, d) && below(b, c) && below(b, d)) return true;
-    if (below(c, a) && below(c, b) && below(d, a) && below(d, b)) return true;
-  }
-  return false;
-}
-
 /// How two segments meet.
 enum class Meeting { kNone, kTouch, kCross };
 
 Meeting meeting(const Uv<double>& a, const Uv<double>& b, const Uv<double>& c,
                 const Uv<double>& d) {
-  if (are_boxes_apart(a, b, c, d)) return Meeting::kNone;
   const int of_c = orientation(a, b, c), of_d = orientation(a, b, d);
   if (of_c * of_d > 0) return Meeting::kNone;
   const int of_a = orientation(c, d, a), of_b = orientation(c, d, b);
