@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -57,16 +56,15 @@ using Triangle = std::array<Corner, 3>;
 /// What the header speaks of, each multiplied out when it is asked for.
 class Products {
  public:
-  Products(const Triangle& triangle, Work& work)
-      : Products(forms_of(triangle,
-                          [](const auto& at) -> Form {
-                            return {at[0], at[1]};
-                          }),
-                 work) {}
-
-  /// Where x = 1, y = 0 (end 0) or x = 0, y = 1 (end 1): forms without variables.
-  static Products at_end(const Triangle& triangle, size_t end, Work& work) {
-    return Products(forms_of(triangle, [end](const auto& at) -> Form { return {at[end]}; }), work);
+  /// In forms of x and y. From 0 to 1 they are those at x = 1, y = 0, from 1 to 2 at x = 0, y = 1:
+  /// forms without variables.
+  Products(const Triangle& triangle, Work& work, size_t from = 0, size_t to = 2) : work_(work) {
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t k = 0; k < 3; ++k) {
+        p_[i][k].assign(triangle[i][k].begin() + from, triangle[i][k].begin() + to);
+      }
+    }
+    for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work);
   }
 
   Form d3() const { return dot_of(p_[0], n_[0], work_); }
@@ -75,46 +73,27 @@ class Products {
   Form d(size_t i) const { return dot_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work_); }
 
  private:
-  using Corners = std::array<FormVector, 3>;
-
-  template <class FormOf>
-  static Corners forms_of(const Triangle& triangle, const FormOf& form_of) {
-    Corners out;
-    for (size_t i = 0; i < 3; ++i) {
-      for (size_t k = 0; k < 3; ++k) out[i][k] = form_of(triangle[i][k]);
-    }
-    return out;
-  }
-
-  Products(Corners p, Work& work) : work_(work), p_(std::move(p)) {
-    for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work);
-  }
   Form square(const FormVector& a) const { return dot_of(a, a, work_); }
 
   Work& work_;
-  Corners p_, n_;
+  std::array<FormVector, 3> p_, n_;
 };
 
-/// All of them, each as it is read.
-template <class Value>
-struct Conditions {
-  template <class Read>
-  Conditions(const Products& of, const Read& read) : d3(read(of.d3())), m(read(of.m())) {
+/// The signs of all of them at an end.
+struct Signs {
+  Signs(const Triangle& triangle, size_t end, Work& work) {
+    const Products at_end(triangle, work, end, end + 1);
+    const auto sign = [](const Form& f) { return sgn(f.front()); };
+    d3 = sign(at_end.d3());
+    m = sign(at_end.m());
     for (size_t i = 0; i < 3; ++i) {
-      s[i] = read(of.s(i));
-      d[i] = read(of.d(i));
+      s[i] = sign(at_end.s(i));
+      d[i] = sign(at_end.d(i));
     }
   }
 
-  Value d3, m;
-  std::array<Value, 3> s, d;
-};
-
-/// The signs of the conditions at an end (Products::at_end).
-struct Signs : Conditions<int> {
-  Signs(const Triangle& triangle, size_t end, Work& work)
-      : Conditions(Products::at_end(triangle, end, work),
-                   [](const Form& f) { return sgn(f.front()); }) {}
+  int d3, m;
+  std::array<int, 3> s, d;
 };
 
 bool has_no_sign(const Form& f, int sign) {
@@ -327,14 +306,13 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
   };
   const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
   for (size_t i = 0; i < in_powers.size(); ++i) {
-    const Conditions<Form> power(Products(in_powers[i], work), std::identity()),
-        end(Products(in_ends[i], work), std::identity());
-    bool holds = divides(p, power.d3, work), some_d = false;
+    const Products power(in_powers[i], work), end(in_ends[i], work);
+    bool holds = divides(p, power.d3(), work), some_d = false;
     for (size_t k = 0; k < 3; ++k) {
-      holds &= has_no_sign(end.s[k], -1) || divides(p, power.s[k], work);
-      some_d |= has_no_sign(end.d[k], 1) || divides(p, power.d[k], work);
+      holds &= has_no_sign(end.s(k), -1) || divides(p, power.s(k), work);
+      some_d |= has_no_sign(end.d(k), 1) || divides(p, power.d(k), work);
     }
-    if (holds && (some_d || is_strictly(end.m, 1, true))) return {};
+    if (holds && (some_d || is_strictly(end.m(), 1, true))) return {};
   }
   return input_error(kRoot, "it is not shown that the patches touch at the root");
 }
