@@ -282,6 +282,16 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__FRACTION__", fmt::format("{}", query.t_max / step)}}));
 }
 
+/// A comment that says with which version of the engine the case was found, where the file says it.
+/// Only in ASCII: in JavaScript a comment ends at some other characters, too.
+std::string origin_text(const Origin& origin) {
+  const auto version = origin.more.find("version");
+  if (version == origin.more.end()) return "";
+  const bool is_plain =
+      std::ranges::all_of(version->second, [](char c) { return ' ' <= c && c <= '~'; });
+  return is_plain ? fmt::format("// Found with version {}.\n", version->second) : "";
+}
+
 }  // namespace
 
 Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
@@ -313,7 +323,11 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const Result<std::string> asked =
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
-    std::string proof = fmt::format("// {}\n", proof_text(value, engine, step));
+    std::string proof = origin_text(value.origin);
+    if (const auto promise = engine.word("promise")) {
+      proof = fmt::format("// Promised: {}\n{}", *promise, proof);
+    }
+    proof += fmt::format("// {}\n", proof_text(value, engine, step));
     if (delay > 0)
       proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);
     return proof + with_checks(engine, text, latest);

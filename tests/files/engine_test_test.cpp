@@ -149,6 +149,18 @@ TEST(EngineTest, SetsUpWhateverItAsksIn20LinesAtMost) {
   }
 }
 
+TEST(EngineTest, SaysWhatIsPromisedAndTheVersionIfACommentCanHoldIt) {
+  NamedCase named = falling_ball();
+  std::string& version = named.value.origin.more["version"];
+  version = "\"0.21.0\"";
+  EXPECT_THAT(*engine_test(named, "rapier"),
+              testing::StartsWith("// Promised: casting a shape gives the first time of impact: "));
+  EXPECT_THAT(*engine_test(named, "rapier"),
+              testing::HasSubstr("\n// Found with version \"0.21.0\".\n"));
+  version = "\"1\u2028process.exit(0)\"";  // to JavaScript this is a line's end
+  EXPECT_THAT(*engine_test(named, "rapier"), testing::Not(testing::HasSubstr("exit")));
+}
+
 TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
   NamedCase named = falling_ball();
   Query& query = named.value.query;
