@@ -45,7 +45,12 @@ HelpCommand described(const CLI::App& app) {
     for (auto& [known, options] : help.groups) {
       if (known == title) return options;
     }
-    return help.groups.emplace_back(title, std::vector<HelpOption>()).second;
+    const auto place = [](const auto& g) {
+      return g.first == "Arguments" ? 0 : g.first == "Limits" ? 2 : g.first == "Other" ? 3 : 1;
+    };
+    const std::pair<std::string, std::vector<HelpOption>> added{title, {}};
+    const auto behind = std::ranges::upper_bound(help.groups, place(added), {}, place);
+    return help.groups.insert(behind, added)->second;
   };
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_group().empty()) continue;
@@ -68,9 +73,6 @@ HelpCommand described(const CLI::App& app) {
     group("Arguments").push_back({name, "", text});
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
-  std::ranges::stable_sort(help.groups, {}, [](const auto& g) {
-    return g.first == "Arguments" ? 0 : g.first == "Limits" ? 2 : g.first == "Other" ? 3 : 1;
-  });
   return help;
 }
 
