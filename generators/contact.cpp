@@ -122,6 +122,9 @@ std::optional<Contact> near_contact_of(const Case& known) {
     // On the long side of a triangle it stays there.
     if (known.query.patches[s].shape.kind == ShapeKind::kTriangle && u + v == 1) {
       q.uv[s][1] = Dyadic(1) - q.uv[s][0];
+    } else if (known.query.patches[s].shape.kind == ShapeKind::kTriangle &&
+               (Dyadic(1) - q.uv[s][0] - q.uv[s][1]).sign() <= 0) {
+      return std::nullopt;  // it would leave the inside
     }
   }
   return q;

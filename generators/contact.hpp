@@ -40,7 +40,8 @@ bool is_in_trims(const Contact& q);
 /// bodies. Likewise if the witness is not dyadic, or its points are apart.
 std::optional<Contact> contact_of(const Case& known);
 /// One to be made whole: as near to the witness as fractions over 32 are, where that is not dyadic.
-/// nullopt if there is no witness within t_max, or one of bodies.
+/// nullopt if there is no witness within t_max, or one of bodies, or the fractions leave a
+/// triangle's inside.
 std::optional<Contact> near_contact_of(const Case& known);
 
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.

@@ -80,7 +80,8 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Minimised minimised = minimise(found.value, failure, asker,
                                        {options.max_trials, [&] { return interrupted.load(); }});
-  if (asker.differs(options.method, checked_or_unknown(minimised.value), shown, asker.search())) {
+  const CheckedCase left = checked_or_unknown(minimised.value);
+  if (!interrupted && asker.differs(options.method, left, shown, asker.search())) {
     session.remark("{}: {}", options.method, kAnswersDiffer);
   }
   write_minimised(options, minimised.value, session);

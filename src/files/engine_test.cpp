@@ -147,14 +147,18 @@ size_t first_body(const Query& query) {
 
 /// What is proven, in a line that a person can check. Times are parts of the step. Points are where
 /// the test has them: it may move the first body alone, as the second sees it.
-std::string proof_text(const Case& value, const EngineWords& engine, double step) {
+/// touches: by t_max.
+std::string proof_text(const Case& value, const EngineWords& engine, double step, bool touches) {
   const Query& query = value.query;
   const auto& witness = value.truth.witness;
+  if (!touches) {
+    if (query.t_max >= step) return "Nothing touches on the way.";
+    const Rational part = exact(query.t_max) / exact(step);
+    return fmt::format("Nothing touches in the first {} of the way.", readable({part}));
+  }
   if (!witness) {
-    const auto contact = value.truth.contact_by();
-    return contact ? fmt::format("They touch by {:.17g} of the way.",
-                                 Rational(*contact / exact(step)).get_d())
-                   : "Nothing touches on the way.";
+    const Rational part = *value.truth.contact_by() / exact(step);
+    return fmt::format("They touch by {:.17g} of the way.", part.get_d());
   }
   const std::string at = fmt::format("At {} of the way", readable({witness->t / exact(step)}));
   if (!is_of_bodies(query)) return at + " they have a point in common.";
@@ -311,8 +315,8 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   if (!is_of_features && !is_of_bodies(value.query)) {
     return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
   }
-  const double step =
-      is_of_features ? step_of(value.query, engine) : step_of_bodies(value.query, engine);
+  const Query moved = with_velocities(value.query).value_or(value.query);
+  const double step = is_of_features ? step_of(moved, engine) : step_of_bodies(moved, engine);
   std::optional<double> latest;
   const double delay = touches ? allowed_delay(value, engine) : 0;
   if (touches) latest = round_up(Rational(*contact / exact(step))) + delay;
@@ -324,10 +328,10 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
     std::string proof = origin_text(value.origin);
-    if (const auto promise = engine.word("promise")) {
-      proof = fmt::format("// Promised: {}\n{}", *promise, proof);
-    }
-    proof += fmt::format("// {}\n", proof_text(value, engine, step));
+    auto promise = engine.word("promise");
+    if (!promise && !has_turns(value.query)) promise = engine.word("still promise");
+    if (promise) proof = fmt::format("// Promised: {}\n{}", *promise, proof);
+    proof += fmt::format("// {}\n", proof_text(value, engine, step, touches));
     if (delay > 0)
       proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);
     return proof + with_checks(engine, text, latest);

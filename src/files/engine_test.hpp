@@ -22,7 +22,8 @@ namespace ccdfuzz {
 ///   numbers, __0__ to __3__.
 /// - "vertex-face", "edge-edge", "vertex-edge" and "vertex-vertex" are calls about features;
 ///   "vertex-first" says that a vertex comes before the face.
-/// - "promise" is what the engine says that it does, and where.
+/// - "promise" is what the engine says that it does, and where; "still promise" where that is of
+///   bodies that do not turn.
 /// - "plane" says that bodies are those of the plane z = 0.
 /// - "call" begins the call that asks the engine. What is before it sets up the query.
 /// - "depth" is the tolerance, or "late" as a part of the way. "mesh depth" and "spin depth" are

@@ -202,8 +202,8 @@ Result<void> Intake::finish(const Finish& how) {
           find = minimise(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
         const CheckedCase known = checked_or_unknown(find);
         if (is_false_negative(failure.outcome)) depth = asker.depth(failure.who, known);
-        differs =
-            asker.differs(failure.who, known, {failure.outcome, failure.cause}, asker.search());
+        const Expected shown{failure.outcome, failure.cause};
+        differs = !how.is_late() && asker.differs(failure.who, known, shown, asker.search());
         asker.ask_others(find, how.methods);
         return std::move(find);
       },

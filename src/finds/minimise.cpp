@@ -106,8 +106,6 @@ class Minimiser {
   /// Nothing where that is not a truth about which methods fail so.
   std::optional<Case> decided(const Query& query) const {
     Case value{query, {}, {}};
-    // A query of a time does not become one of an instant.
-    if (query.t_max == 0 && found_.query.t_max > 0) return std::nullopt;
     if (failure_ == Outcome::kError) return value;
     if (is_of_bodies(query)) {
       const std::optional<Case> made = case_of_bodies(query);
@@ -129,6 +127,8 @@ class Minimiser {
   }
 
   std::optional<Case> as_case(const Contact& q) const {
+    // A query of a time does not become one of an instant.
+    if (q.query.t_max == 0 && found_.query.t_max > 0) return std::nullopt;
     std::optional<Case> value = keeps_witness_ ? case_of(q) : decided(q.query);
     if (!value || (keeps_witness_ && !check_witness(q.query, *value->truth.witness))) {
       return std::nullopt;

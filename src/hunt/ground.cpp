@@ -200,8 +200,9 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     const auto& pairs = domain.pairs;
     take_bodies = take_bodies && info.features.bodies &&
                   (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
-    // Who takes bodies and names no shapes is an adapter of an engine.
-    means_bodies = means_bodies || (info.features.bodies && pairs.empty() && names_plugin(method));
+    // Who takes bodies, names no shapes and limits the rest is an adapter of an engine.
+    means_bodies = means_bodies || (info.features.bodies && pairs.empty() && names_plugin(method) &&
+                                    !domain.text().empty());
     take_patches = take_patches && (pairs.empty() || !std::ranges::all_of(pairs, is_pair_of_hulls));
   }
   const bool is_of_patches = ground.linear || ground.shapes;

@@ -143,6 +143,16 @@ const JsonValue* JsonValue::find(std::string_view key) const {
   return at == keys.end() ? nullptr : &items[static_cast<size_t>(at - keys.begin())];
 }
 
+bool JsonValue::operator==(const JsonValue& other) const {
+  if (kind != other.kind || text != other.text || items.size() != other.items.size()) return false;
+  if (kind != JsonKind::kObject) return items == other.items;
+  for (size_t i = 0; i < items.size(); ++i) {
+    const JsonValue* const same = other.find(keys[i]);
+    if (same == nullptr || !(*same == items[i])) return false;
+  }
+  return true;
+}
+
 Result<JsonValue> parse_json(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return input_error(file, "is empty; JSON is accepted");

@@ -21,7 +21,8 @@ struct JsonValue {
 
   /// The member of an object, or null.
   const JsonValue* find(std::string_view key) const;
-  bool operator==(const JsonValue&) const = default;
+  /// The same, whatever the order of an object's keys.
+  bool operator==(const JsonValue& other) const;
 };
 
 /// Limits that keep hostile text from exhausting time or memory; a case stays far below them.

@@ -161,6 +161,23 @@ TEST(EngineTest, SaysWhatIsPromisedAndTheVersionIfACommentCanHoldIt) {
   EXPECT_THAT(*engine_test(named, "rapier"), testing::Not(testing::HasSubstr("exit")));
 }
 
+TEST(EngineTest, SaysWhereAndWhenFeaturesTouchOrThatTheyDoNot) {
+  NamedCase named;
+  Query& query = named.value.query;
+  query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.25}}, {}};
+  query.patches[0].ends = {{0.25, 0.25, -0.75}};
+  query.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3)};
+  for (Vec3<double>& v : query.patches[1].velocities) v = {0, 0, 0};
+  query.t_max = 0.5;
+  named.value.truth.witness = Witness{Rational(1, 4), {}};
+  EXPECT_THAT(*engine_test(named, "fcl"), testing::HasSubstr("At 1/2 of the way"));
+  EXPECT_THAT(*engine_test(named, "fcl"), testing::HasSubstr("EXPECT_LE(share, 0.50000"));
+  query.t_max = 0;
+  named.value.truth.clearance = LinearClearance{0, true};
+  EXPECT_THAT(*engine_test(named, "fcl"), testing::StartsWith("// Promised: CCD"));
+  EXPECT_THAT(*engine_test(named, "fcl"), testing::HasSubstr("\n// Nothing touches on the way."));
+}
+
 TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
   NamedCase named = falling_ball();
   Query& query = named.value.query;

@@ -156,9 +156,11 @@ TEST(Ground, WhatNoMethodTakesIsAnError) {
 }
 
 TEST(Ground, IsOfBodiesForAPluginThatTakesThemAndNamesNoShapes) {
-  const std::string bodies = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2:claims=70",
+  const std::string of_all = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2:claims=70",
+                    bodies = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2:claims=326",
                     patches = "plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN ":verdict=2";
-  for (const std::string& plugin : {bodies, patches}) ASSERT_TRUE(admit_plugin(plugin));
+  for (const auto& plugin : {of_all, bodies, patches}) ASSERT_TRUE(admit_plugin(plugin));
+  EXPECT_FALSE(narrowed({}, {of_all})->bodies) << "it limits neither bodies nor numbers";
   EXPECT_TRUE(narrowed({}, {bodies})->bodies);
   EXPECT_TRUE(narrowed({}, {bodies, "oracle"})->bodies);
   EXPECT_FALSE(narrowed({}, {bodies, "tdibm-c"})->bodies);

@@ -90,6 +90,10 @@ TEST(Contact, IsMadeOfCasesWithADyadicWitnessWithinTheHorizon) {
   Case third = known;
   third.truth.witness->uv[0][0] = Rational(1, 3);
   EXPECT_FALSE(contact_of(third));
+  EXPECT_EQ(near_contact_of(third)->uv[0][0], Dyadic(Integer(10), -5));
+  third.query.patches[1] = {Shape::triangle(1), {{}, {}, {}}, {{}, {}, {}}};
+  third.truth.witness->uv[1] = {Rational(1, 100), Rational(197, 200)};
+  EXPECT_FALSE(near_contact_of(third)) << "1/32 and 31/32 are on an edge";
 }
 
 }  // namespace

@@ -49,6 +49,12 @@ std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational
   return out;
 }
 
+/// Whether a file may hold the number.
+bool is_readable(const Rational& x) {
+  return mpz_sizeinbase(x.get_num_mpz_t(), 10) <= kMaxRationalDigits &&
+         mpz_sizeinbase(x.get_den_mpz_t(), 10) <= kMaxRationalDigits;
+}
+
 }  // namespace
 
 std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness) {
@@ -82,6 +88,7 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
 
 std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane& near,
                                            const Rational& until) {
+  if (!is_readable(until)) return std::nullopt;
   MovingPlane plane{until, near.normal, near.offset};
   if (check_plane(query, plane)) return plane;
   std::vector<Vector> normals = {{near.normal[0], near.normal[1], near.normal[2]}};
@@ -96,7 +103,7 @@ std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane
     }
     plane.normal = {n[0], n[1], n[2]};
     plane.offset = *std::min_element(heights.begin(), heights.end());
-    if (check_plane(query, plane)) return plane;
+    if (is_readable(plane.offset) && check_plane(query, plane)) return plane;
   }
   return std::nullopt;
 }

@@ -14,7 +14,7 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
 
 /// A moving plane that separates the patches at all times before `until`, or nothing. It is `near`,
 /// or has its normal or an axis as normal, and is at a control point of patch 1 at `until`. What is
-/// returned passed check_plane.
+/// returned passed check_plane, and files may hold its numbers.
 std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane& near,
                                            const Rational& until);
 

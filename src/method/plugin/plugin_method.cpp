@@ -130,8 +130,10 @@ class PluginMethod : public Method {
     if (!plugin_->spec.repeats || is_over()) return given;
     ask_once(decoy_query(query), options);
     if (is_over()) return given;
-    // Who says one thing and another by turns says the same every other time.
-    if (!has_repeated_) ask_once(decoy_query(query), options);
+    // Who says one thing and another by turns says the same every other time. Asking about NaN is
+    // another time, too.
+    const bool asks_nan = plugin_->description->nan_policy != NanPolicy::kUndefined;
+    if (!has_repeated_ && !asks_nan) ask_once(decoy_query(query), options);
     if (is_over()) return given;
     check_nan_policy(query, options);
     if (is_over()) return given;
