@@ -22,10 +22,9 @@ CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double wa
         return p;
       }) {}
 
-CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, bool apart)
-    : a_(a), b_(b), apart_(apart) {
-  const Axis offset = minus(a.middle, b.middle);
-  if (apart && offset != Axis{}) add(offset);
+CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first)
+    : a_(a), b_(b), first_(first) {
+  if (first != Axis{}) add(first);
   if (a.has_normal()) add(a.normal);
   if (b.has_normal()) add(b.normal);
   if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));
@@ -46,7 +45,7 @@ void CandidateAxes::add_rest() {
   }
   if (a_.has_normal() && b_.has_normal()) return;
   const Axis offset = minus(a_.middle, b_.middle);
-  if (!apart_ && offset != Axis{}) add(offset);
+  if (offset != first_) add(offset);
   for (const CornerFrame* s : {&a_, &b_}) {
     for (int i = 0; i < s->edge_count; ++i) add(cross(s->edges[i], cross(offset, s->edges[i])));
   }
