@@ -112,19 +112,20 @@ std::optional<Contact> near_contact_of(const Case& known) {
   if (!witness || witness->t > exact(known.query.t_max)) return std::nullopt;
   if (is_of_bodies(known.query)) return std::nullopt;
   const auto near = [](const Rational& x) {
+    if (const std::optional<Dyadic> same = Dyadic::from(x)) return *same;
     const Integer parts = x.get_num() * 32 / x.get_den();
-    return Dyadic::from(x).value_or(Dyadic(parts == 0 ? Integer(1) : parts, -5));
+    return Dyadic(parts == 0 ? Integer(1) : parts, -5);
   };
   Contact q{known.query, near(witness->t), {}};
   for (size_t s = 0; s < 2; ++s) {
     const auto& [u, v] = witness->uv[s];
     q.uv[s] = {near(u), near(v)};
-    // On the long side of a triangle it stays there.
-    if (known.query.patches[s].shape.kind == ShapeKind::kTriangle && u + v == 1) {
+    if (known.query.patches[s].shape.kind != ShapeKind::kTriangle) continue;
+    // On the long side of a triangle it stays there, and what is inside must stay inside.
+    if (u + v == 1) {
       q.uv[s][1] = Dyadic(1) - q.uv[s][0];
-    } else if (known.query.patches[s].shape.kind == ShapeKind::kTriangle &&
-               (Dyadic(1) - q.uv[s][0] - q.uv[s][1]).sign() <= 0) {
-      return std::nullopt;  // it would leave the inside
+    } else if ((Dyadic(1) - q.uv[s][0] - q.uv[s][1]).sign() <= 0) {
+      return std::nullopt;
     }
   }
   return q;
