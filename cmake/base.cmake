@@ -5,6 +5,10 @@ add_library(ccdfuzz::flags ALIAS ccdfuzz_flags)
 set_target_properties(ccdfuzz_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(ccdfuzz_flags INTERFACE cxx_std_20)
 target_compile_options(ccdfuzz_flags INTERFACE -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 16)
+  message(FATAL_ERROR "clang ${CMAKE_CXX_COMPILER_VERSION} does not know enough of C++20; use clang 16 or newer, "
+                      "such as Debian's clang++-19, or gcc 12")
+endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 

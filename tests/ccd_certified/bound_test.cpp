@@ -223,5 +223,19 @@ RC_GTEST_PROP(LawB, WhatTheChordsDropIsSeparated, ()) {
   if (left.hi < seen.window.hi) RC_ASSERT(seen.are_apart({seen.window.hi, left.hi}, share));
 }
 
+/// Four numbers are read and written at once, of which only the first is where a double may be.
+TEST(Kernels, TakeNumbersAtEveryMultipleOfEightBytes) {
+  struct alignas(32) {
+    double before = 0;
+    std::array<double, kPerPoint> net{};
+    Bounds bounds{};
+  } at;
+  const Snapshot snapshot{at.net.data(), 1};
+  take_snapshot(at.net.data(), 1, 0, 1, at.net.data());
+  std::array<RangeBatch, 2> ranges{};
+  EXPECT_EQ(project_and_compare(snapshot, snapshot, {}, at.bounds, ranges).throughout, 0U);
+  EXPECT_EQ(not_separated(ranges.data(), ranges.data(), 1, at.bounds), 1U);
+}
+
 }  // namespace
 }  // namespace ccdfuzz::certified

@@ -29,8 +29,11 @@ using Vector = double __attribute__((vector_size(32)));
 using Mask = long long __attribute__((vector_size(32)));
 
 /// The four doubles at a place, to read or to write as a whole. A vector load from several narrower
-/// stores fails store forwarding.
-using Quad = double __attribute__((vector_size(32), aligned(8), may_alias));
+/// stores fails store forwarding. (A structure: clang forgets how a vector type is aligned where a
+/// function returns a reference to it.)
+struct __attribute__((packed, aligned(8), may_alias)) Quad {
+  Vector all;
+};
 [[gnu::always_inline]] inline const Quad& quad(const double* from) {
   return *reinterpret_cast<const Quad*>(from);
 }
@@ -43,10 +46,10 @@ struct GapVectors {
   Vector lo0, hi0, lo1, hi1;
 
   [[gnu::always_inline]] GapVectors(const RangeBatch& a, const RangeBatch& b) {
-    lo0 = quad(a.max_lo.data()) - quad(b.min_lo.data());
-    hi0 = quad(a.max_hi.data()) - quad(b.min_hi.data());
-    lo1 = quad(b.max_lo.data()) - quad(a.min_lo.data());
-    hi1 = quad(b.max_hi.data()) - quad(a.min_hi.data());
+    lo0 = quad(a.max_lo.data()).all - quad(b.min_lo.data()).all;
+    hi0 = quad(a.max_hi.data()).all - quad(b.min_hi.data()).all;
+    lo1 = quad(b.max_lo.data()).all - quad(a.min_lo.data()).all;
+    hi1 = quad(b.max_hi.data()).all - quad(a.min_hi.data()).all;
   }
 
   /// The lesser of both sides' larger gap.
@@ -72,16 +75,16 @@ struct RangeVectors {
     max_hi = hi > max_hi ? hi : max_hi;
   }
   [[gnu::always_inline]] void store(RangeBatch& out) const {
-    quad(out.min_lo.data()) = min_lo;
-    quad(out.max_lo.data()) = max_lo;
-    quad(out.min_hi.data()) = min_hi;
-    quad(out.max_hi.data()) = max_hi;
+    quad(out.min_lo.data()).all = min_lo;
+    quad(out.max_lo.data()).all = max_lo;
+    quad(out.min_hi.data()).all = min_hi;
+    quad(out.max_hi.data()).all = max_hi;
   }
 };
 
 [[gnu::always_inline]] inline void copy_point(const double* from, double* to) {
-  quad(to) = quad(from);
-  quad(to + 4) = quad(from + 4);
+  quad(to).all = quad(from).all;
+  quad(to + 4).all = quad(from + 4).all;
 }
 
 /// p + t·v, over the weight in p's last place if there is one, which then is 0 again.
@@ -101,12 +104,12 @@ template <bool kRational>
                                                    double t1, double* out, RangeBatch* ranges) {
   RangeVectors extents{};
   for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
-    const Vector p = quad(net), v = quad(net + 4);
+    const Vector p = quad(net).all, v = quad(net + 4).all;
     Vector at_t0, at_t1;
     place_at<kRational>(p, v, t0, at_t0);
     place_at<kRational>(p, v, t1, at_t1);
-    quad(out) = at_t0;
-    quad(out + 4) = at_t1;
+    quad(out).all = at_t0;
+    quad(out + 4).all = at_t1;
     if (ranges == nullptr) continue;
     if (i == 0) {
       extents.begin(at_t0, at_t1);
@@ -119,8 +122,8 @@ template <bool kRational>
 
 [[gnu::always_inline]] inline void project_inline(const Snapshot& snapshot, const AxisBatch& axes,
                                                   RangeBatch& out) {
-  const Vector l0 = quad(axes.axes[0].data()), l1 = quad(axes.axes[1].data()),
-               l2 = quad(axes.axes[2].data());
+  const Vector l0 = quad(axes.axes[0].data()).all, l1 = quad(axes.axes[1].data()).all,
+               l2 = quad(axes.axes[2].data()).all;
   const double* x = snapshot.values;
   RangeVectors extents;
   extents.begin((l0 * x[0] + l1 * x[1]) + l2 * x[2], (l0 * x[4] + l1 * x[5]) + l2 * x[6]);
@@ -166,7 +169,7 @@ template <bool kRational>
 [[gnu::always_inline]] inline void compare_inline(const RangeBatch& a, const RangeBatch& b,
                                                   const Bounds& bounds, SeparatingAxes& out) {
   const GapVectors gap(a, b);
-  const Vector bound = quad(bounds.on.data());
+  const Vector bound = quad(bounds.on.data()).all;
   Vector throughout;
   gap.throughout(throughout);
   const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
@@ -200,9 +203,9 @@ void split_net(const MidpointProgram& program, const double* net, int count, dou
   double* next = slots + count * kPerPoint;
   for (const MidpointProgram::Step step : program.steps) {
     for (int half = 0; half < kPerPoint; half += 4) {
-      const Vector l = quad(slots + step.left * kPerPoint + half);
-      const Vector r = quad(slots + step.right * kPerPoint + half);
-      quad(next + half) = (l + r) * 0.5;
+      const Vector l = quad(slots + step.left * kPerPoint + half).all;
+      const Vector r = quad(slots + step.right * kPerPoint + half).all;
+      quad(next + half).all = (l + r) * 0.5;
     }
     next += kPerPoint;
   }
@@ -239,7 +242,7 @@ SeparatingAxes project_and_compare(const Snapshot& a, const Snapshot& b, const A
 CCDFUZZ_FOR_EACH_CPU
 unsigned not_separated(const RangeBatch* a, const RangeBatch* b, unsigned pairs,
                        const Bounds& bounds) {
-  const Vector bound = quad(bounds.on.data());
+  const Vector bound = quad(bounds.on.data()).all;
   Mask apart{};  // in each lane the pairs that its axis separates
   for (unsigned left = pairs; left != 0; left &= left - 1) {
     const int pair = std::countr_zero(left);
