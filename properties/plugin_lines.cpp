@@ -47,7 +47,7 @@ void check_line(Draw& d) {
       CLAIM(claimed >= 0 && std::isfinite(claimed));
     }
     for (const Domain::Pair& pair : described->domain.pairs) {
-      for (const int degree : pair.max_degrees) CLAIM(0 <= degree && degree <= kMaxDegree);
+      for (const Domain::Side& side : pair) CLAIM(side.max_degree <= kMaxDegree);
     }
   }
   const auto read = read_answer(line, kQuestion, t_max);

@@ -30,9 +30,10 @@ template <class Degree>
 std::array<Shape, 2> shapes_of(const Domain::Pair& pair, const Degree& degree_up_to) {
   std::array<Shape, 2> shapes;
   for (std::size_t s = 0; s < 2; ++s) {
-    shapes[s].kind = pair.shapes[s];
-    if (pair.shapes[s] != ShapeKind::kPoint) shapes[s].n = degree_up_to(pair.max_degrees[s]);
-    if (pair.shapes[s] == ShapeKind::kTensor) shapes[s].m = degree_up_to(pair.max_degrees[s]);
+    const auto most = static_cast<int>(pair[s].max_degree);
+    shapes[s].kind = pair[s].shape;
+    if (pair[s].shape != ShapeKind::kPoint) shapes[s].n = degree_up_to(most);
+    if (pair[s].shape == ShapeKind::kTensor) shapes[s].m = degree_up_to(most);
   }
   return shapes;
 }

@@ -30,7 +30,7 @@ Shape shape_of(ShapeKind kind, int degree) {
 }
 
 bool is_pair_of_hulls(const Domain::Pair& pair) {
-  return pair.shapes[0] == ShapeKind::kHull && pair.shapes[1] == ShapeKind::kHull;
+  return pair[0].shape == ShapeKind::kHull && pair[1].shape == ShapeKind::kHull;
 }
 
 /// The power of two that brings a magnitude well into [2^-scale, 2^scale], if it is not there. It
@@ -84,7 +84,7 @@ std::optional<ContactClass> linear_class_of(const Shape& a, const Shape& b) {
 }
 
 bool HuntGround::has(const Query& query) const {
-  return has_numbers_of(query) && has_bodies_of(query) && order_of(query) &&
+  return Domain::broken_by(query).empty() && order_of(query) &&
          (!shapes ||
           (query.patches[0].shape == (*shapes)[0] && query.patches[1].shape == (*shapes)[1])) &&
          (!linear || linear_class_of(query)) && (!bodies || is_of_bodies(query));
@@ -120,7 +120,7 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
   for (const Pair& pair : pairs) {
     for (int degree = 1; degree <= kMostDrawn; ++degree) {
       const auto side = [&](size_t s) {
-        return shape_of(pair.shapes[s], std::min(degree, pair.max_degrees[s]));
+        return shape_of(pair[s].shape, std::min(degree, static_cast<int>(pair[s].max_degree)));
       };
       add({side(0), side(1)});
       add({side(1), side(0)});
@@ -134,7 +134,7 @@ Case HuntGround::fitted(Case value) const {
   const bool are_bodies = is_of_bodies(query);
   const bool can_be_decided =
       are_bodies || (is_linear_query(query) && !has_ends(query) && !is_trimmed(query));
-  if (!can_be_decided || has_numbers_of(query)) return value;
+  if (!can_be_decided || Domain::broken_by(query).empty()) return value;
   const Query before = query;
   const double least = scale ? std::ldexp(1.0, -*scale) : 0;
   if (scale) bring_to_scale(query, *scale);

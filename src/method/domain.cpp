@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "case/scale.hpp"
 #include "method/setting.hpp"
@@ -14,12 +15,13 @@ namespace {
 
 using Pair = Domain::Pair;
 
-bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
-  return shape.kind == kind && std::max(shape.n, shape.m) <= max_degree;
+bool fits(const Shape& shape, const Domain::Side& side) {
+  return shape.kind == side.shape &&
+         std::cmp_less_equal(std::max(shape.n, shape.m), side.max_degree);
 }
 
-Pair swapped(const Pair& pair) {
-  return {{pair.shapes[1], pair.shapes[0]}, {pair.max_degrees[1], pair.max_degrees[0]}};
+bool are_of_same_shapes(const Pair& a, const Pair& b) {
+  return a[0].shape == b[0].shape && a[1].shape == b[1].shape;
 }
 
 /// The kinds of bodies that are of both lists.
@@ -46,46 +48,37 @@ std::optional<bool> Domain::order_of(const Query& query) const {
     for (const Pair& pair : pairs) {
       const Shape& first = query.patches[is_swapped ? 1 : 0].shape;
       const Shape& second = query.patches[is_swapped ? 0 : 1].shape;
-      if (fits(first, pair.shapes[0], pair.max_degrees[0]) &&
-          fits(second, pair.shapes[1], pair.max_degrees[1])) {
-        return is_swapped;
-      }
+      if (fits(first, pair[0]) && fits(second, pair[1])) return is_swapped;
     }
   }
   return std::nullopt;
 }
 
-bool Domain::has_bodies_of(const Query& query) const {
-  return !is_of_bodies(query) ||
-         std::ranges::all_of(query.patches, [&](const MovingPatch<double>& body) {
-           return !body.faces.empty() ||
-                  is_one_of(body_kinds, body.positions.size(), body.radius > 0);
-         });
-}
-
-bool Domain::has_numbers_of(const Query& query) const {
-  return (!scale || is_within_scale(query, *scale)) && (!binary32 || is_binary32(query)) &&
-         (!plane || !is_of_bodies(query) || is_in_plane(query));
+std::string Domain::broken_by(const Query& query) const {
+  const bool are_bodies = is_of_bodies(query);
+  const auto is_of_kinds = [&](const MovingPatch<double>& body) {
+    return !body.faces.empty() || is_one_of(body_kinds, body.positions.size(), body.radius > 0);
+  };
+  if (are_bodies && !std::ranges::all_of(query.patches, is_of_kinds)) {
+    return "has no shape for one of these bodies";
+  }
+  if (binary32 && !is_binary32(query)) return "takes floats, and a number of this is none";
+  if (scale && !is_within_scale(query, *scale)) {
+    return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
+  }
+  return plane && are_bodies && !is_in_plane(query) ? "takes bodies in the plane z = 0" : "";
 }
 
 std::string Domain::broken_by(const Case& value) const {
-  if (!has_bodies_of(value.query)) return "has no shape for one of these bodies";
-  if (binary32 && !is_binary32(value.query)) return "takes floats, and a number of this is none";
-  if (scale && !is_within_scale(value.query, *scale)) {
-    return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
-  }
-  if (plane && is_of_bodies(value.query) && !is_in_plane(value.query)) {
-    return "takes bodies in the plane z = 0";
-  }
-  if (ordinary && !plane && has_flat_body(value.query)) {
+  if (std::string why = broken_by(value.query); !why.empty() || !ordinary) return why;
+  if (!plane && has_flat_body(value.query)) {
     return "takes bodies of four points or more that have a volume";
   }
-  const Setting setting = ordinary ? setting_of(value) : Setting::kOrdinary;
-  if (ordinary && setting == Setting::kOrdinary && is_shallow(value)) {
-    return "takes contacts of some depth, and this is shallow";
+  const Setting setting = setting_of(value);
+  if (setting != Setting::kOrdinary) {
+    return fmt::format("takes ordinary queries, and this is {}", name_of(setting));
   }
-  if (setting == Setting::kOrdinary) return "";
-  return fmt::format("takes ordinary queries, and this is {}", name_of(setting));
+  return is_shallow(value) ? "takes contacts of some depth, and this is shallow" : "";
 }
 
 std::optional<Domain> Domain::with(const Domain& other) const {
@@ -99,11 +92,11 @@ std::optional<Domain> Domain::with(const Domain& other) const {
   for (const Pair& a : pairs) {
     if (other.pairs.empty()) both.pairs.push_back(a);
     for (const Pair& given : other.pairs) {
-      const Pair b = a.shapes == given.shapes ? given : swapped(given);
-      if (a.shapes != b.shapes) continue;
+      const Pair b = are_of_same_shapes(a, given) ? given : Pair{given[1], given[0]};
+      if (!are_of_same_shapes(a, b)) continue;
       Pair& least = both.pairs.emplace_back(a);
       for (size_t s = 0; s < 2; ++s) {
-        least.max_degrees[s] = std::min(a.max_degrees[s], b.max_degrees[s]);
+        least[s].max_degree = std::min(a[s].max_degree, b[s].max_degree);
       }
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +14,13 @@ namespace ccdfuzz {
 /// The queries that a method promises to answer, beyond its Features, or that a hunt is about; by
 /// default all.
 struct Domain {
-  /// Shapes that may be asked together, in either order, up to these degrees; hulls up to so many
-  /// points.
-  struct Pair {
-    std::array<ShapeKind, 2> shapes;
-    std::array<int, 2> max_degrees;
+  /// Shapes up to a degree; hulls up to so many points.
+  struct Side {
+    ShapeKind shape = ShapeKind::kPoint;
+    std::uint32_t max_degree = 0;
   };
+  /// They may be asked together, in either order.
+  using Pair = std::array<Side, 2>;
   std::vector<Pair> pairs;  ///< empty: all
   BodyKinds body_kinds;     ///< empty: all
   /// Each number is 0 or of a magnitude in [2^-scale, 2^scale].
@@ -33,11 +35,9 @@ struct Domain {
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;
-  /// Whether a query is of those bodies, if of any. A mesh is none of the kinds.
-  bool has_bodies_of(const Query& query) const;
-  /// Whether the numbers of a query are of that scale and width, and bodies in that plane.
-  bool has_numbers_of(const Query& query) const;
-  /// Which of the rules but the pairs a case breaks, in words; empty if none.
+  /// Which of the rules but the pairs a query breaks, in words; empty if none. A mesh is none of
+  /// the kinds of bodies. `ordinary` is a rule of cases alone.
+  std::string broken_by(const Query& query) const;
   std::string broken_by(const Case& value) const;
   /// What lies in both. Nothing if they have no pair in common.
   std::optional<Domain> with(const Domain& other) const;
@@ -47,8 +47,8 @@ struct Domain {
 
 /// Vertex-face and edge-edge: the pairs of a linear mesh.
 inline std::vector<Domain::Pair> linear_pairs() {
-  return {{{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}},
-          {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}}};
+  return {{{{ShapeKind::kPoint, 0}, {ShapeKind::kTriangle, 1}}},
+          {{{ShapeKind::kCurve, 1}, {ShapeKind::kCurve, 1}}}};
 }
 
 }  // namespace ccdfuzz

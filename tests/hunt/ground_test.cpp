@@ -11,8 +11,8 @@
 namespace ccdfuzz {
 namespace {
 
-constexpr Domain::Pair kVertexFace = {{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}};
-constexpr Domain::Pair kEdgeEdge = {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}};
+constexpr Domain::Pair kVertexFace = {{{ShapeKind::kPoint, 0}, {ShapeKind::kTriangle, 1}}};
+constexpr Domain::Pair kEdgeEdge = {{{ShapeKind::kCurve, 1}, {ShapeKind::kCurve, 1}}};
 
 /// As an adapter of vertices, faces and edges promises.
 HuntGround ground_of_features() {
@@ -95,7 +95,7 @@ TEST(Ground, ClassesAreThoseOfTheShapesThatAreTaken) {
 
 TEST(Ground, DegreesAreThoseThatAreTaken) {
   HuntGround ground;
-  ground.pairs = {{{ShapeKind::kTensor, ShapeKind::kTriangle}, {8, 2}}};
+  ground.pairs = {{{{ShapeKind::kTensor, 8}, {ShapeKind::kTriangle, 2}}}};
   const std::vector<ShapePair> drawn = ground.drawn_shapes();
   EXPECT_EQ(drawn.size(), 6U) << "three degrees, in either order";
   EXPECT_EQ(drawn[4], (ShapePair{Shape::tensor(3, 3), Shape::triangle(2)}));
@@ -173,17 +173,17 @@ TEST(Ground, IsOfBodiesForAPluginThatTakesThemAndNamesNoShapes) {
 
 TEST(Domain, CommonPartsAreNoWiderThanEither) {
   Domain some, others;
-  some.pairs = {kVertexFace, {{ShapeKind::kTensor, ShapeKind::kTensor}, {2, 8}}};
+  some.pairs = {kVertexFace, {{{ShapeKind::kTensor, 2}, {ShapeKind::kTensor, 8}}}};
   some.scale = 7;
   some.body_kinds = {{1, 8, RadiusRule::kAny}};
-  others.pairs = {{{ShapeKind::kTriangle, ShapeKind::kPoint}, {3, 0}}};
+  others.pairs = {{{{ShapeKind::kTriangle, 3}, {ShapeKind::kPoint, 0}}}};
   others.scale = 10;
   others.binary32 = true;
   others.body_kinds = {{4, 12, RadiusRule::kZero}};
   for (const auto& both : {some.with(others), others.with(some)}) {
     ASSERT_TRUE(both);
     ASSERT_EQ(both->pairs.size(), 1U);
-    EXPECT_EQ(std::max(both->pairs[0].max_degrees[0], both->pairs[0].max_degrees[1]), 1);
+    EXPECT_EQ(std::max(both->pairs[0][0].max_degree, both->pairs[0][1].max_degree), 1U);
     EXPECT_EQ(both->scale, 7);
     EXPECT_TRUE(both->binary32);
     ASSERT_EQ(both->body_kinds.size(), 1U);

@@ -23,21 +23,19 @@ struct JsonForm<BodyKind> {
   }
 };
 
-namespace {
-
-/// A side of a pair in `accepts`.
-struct AcceptedShape {
-  ShapeKind shape = ShapeKind::kPoint;
-  std::uint64_t max_degree = 0;
-
-  static void fields(auto& archive, auto& accepted) {
-    archive("shape", accepted.shape);
-    const std::uint64_t least = accepted.shape == ShapeKind::kPoint ? 0 : 1;
-    const std::uint64_t most = accepted.shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
-    accepted.max_degree = most;
-    archive.optional("max_degree", accepted.max_degree, {}, within(least, most));
+/// Of a pair in `accepts`.
+template <>
+struct JsonForm<Domain::Side> {
+  static void fields(auto& archive, auto& side) {
+    archive("shape", side.shape);
+    const std::uint32_t least = side.shape == ShapeKind::kPoint ? 0 : 1;
+    const std::uint32_t most = side.shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
+    side.max_degree = most;
+    archive.optional("max_degree", side.max_degree, {}, within(least, most));
   }
 };
+
+namespace {
 
 enum class NumberWidth : std::uint8_t { k64, k32 };
 constexpr std::array<std::string_view, 2> names_of(NumberWidth) {
@@ -257,15 +255,7 @@ struct JsonForm<PluginDescription> {
     archive.optional("name", d.name);
     archive.optional("version", d.version);
     archive.optional("promise", d.promise);
-    std::vector<std::array<AcceptedShape, 2>> accepts;
-    archive.optional("accepts", accepts);
-    for (const std::array<AcceptedShape, 2>& pair : accepts) {
-      Domain::Pair& read = domain.pairs.emplace_back();
-      for (size_t side = 0; side < 2; ++side) {
-        read.shapes[side] = pair[side].shape;
-        read.max_degrees[side] = static_cast<int>(pair[side].max_degree);
-      }
-    }
+    archive.optional("accepts", domain.pairs);
     archive.optional("bodies", domain.body_kinds, {}, Each{[](const BodyKind& kind) {
                        const auto& [least, most, radius] = kind;
                        return 1 <= least && least <= most && least <= kMaxControls
