@@ -3,7 +3,6 @@
 #include <exception>
 
 #include "case/mesh.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -94,10 +93,6 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
   const bool in_plane = answer.terms.in_plane;
   const char* const error = outcome == Outcome::kError ? "nonsense" : "";
   return {std::move(answer), outcome, error, late_by, 0, in_plane};
-}
-
-Judged ask(Method& method, const Case& known, const SearchOptions& options) {
-  return ask(method, checked_or_unknown(known), options);
 }
 
 }  // namespace ccdfuzz

@@ -17,9 +17,6 @@ Result<CheckedCase> decided_and_checked(NamedCase& named);
 /// has the outcome error, with what it threw as the note, and undecided as the verdict.
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options);
 
-/// The same, checking the case first (checked_or_unknown), each time that it is asked.
-Judged ask(Method& method, const Case& known, const SearchOptions& options);
-
 /// How deep two bodies, or linear patches, pass through each other, at least, in the time that a
 /// missed or late answer overlooks. Nothing where that is not measured (depth_until,
 /// feature_depth), and for other queries and outcomes.

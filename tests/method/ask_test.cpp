@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "case/checked_case.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/setting.hpp"
 
@@ -53,7 +54,7 @@ Case falling_ball() {
 Outcome outcome_of(std::optional<double> toi, double tolerance,
                    const Case& known = falling_ball()) {
   Says method(toi, tolerance);
-  return ask(method, known, {}).outcome;
+  return ask(method, checked_or_unknown(known), {}).outcome;
 }
 
 /// The same with so many points in the place of the ball's centre, and twice as many in the box.
@@ -88,7 +89,7 @@ TEST(Ask, HoldsAGrazeOfAMeshAgainstNobodyWhoPromisesOrdinaryQueriesButTheDeepCon
   ASSERT_EQ(value.truth.witness->t, 4);
   const auto outcome = [&](std::optional<double> toi, double tolerance, bool ordinary) {
     Says method(toi, tolerance, ordinary);
-    return ask(method, value, {}).outcome;
+    return ask(method, checked_or_unknown(value), {}).outcome;
   };
   EXPECT_EQ(outcome(10, 0, false), Outcome::kLate);
   EXPECT_EQ(outcome(10, 0.25, false), Outcome::kCorrect);

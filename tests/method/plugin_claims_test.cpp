@@ -7,6 +7,7 @@
 #include <string>
 
 #include "admitted.hpp"
+#include "certify/checker/check_case.hpp"
 #include "method/ask.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/line_protocol.hpp"
@@ -40,7 +41,7 @@ Case meeting_at(double contact, double t_max) {
 std::string outcome_of(const std::string& options, const Case& known) {
   auto method = admitted(kClaiming + options);
   if (!method) return method.error().message();
-  const Judged judged = ask(**method, known, {});
+  const Judged judged = ask(**method, checked_or_unknown(known), {});
   const std::string name(name_of(judged.outcome));
   return judged.error.empty() ? name : name + " (" + judged.error + "): " + judged.answer.note;
 }
@@ -272,7 +273,7 @@ TEST(PluginClaims, DoNotApplyToRefusedQueries) {
     EXPECT_EQ(outcome_of(":verdict=5", known), "not_asked");
     EXPECT_EQ(outcome_of(std::string(":verdict=5:nan=1") + kConservative, known), "not_asked");
     EXPECT_EQ(outcome_of(":verdict=5:repeat=no", known), "not_asked");
-    EXPECT_EQ(ask(**admitted(kClaiming + ":verdict=5"), known, {}).answer.note,
+    EXPECT_EQ(ask(**admitted(kClaiming + ":verdict=5"), checked_or_unknown(known), {}).answer.note,
               "as the options say");
   }
 }
@@ -301,7 +302,7 @@ struct NotOnItsTerms : Method {
 
 TEST(Ask, DoesNotBlameAMethodForWhatIsBrokenInTheJudge) {
   NotOnItsTerms method;
-  EXPECT_THROW(ask(method, meeting_at(0.5, 2), {}), InternalError);
+  EXPECT_THROW(ask(method, checked_or_unknown(meeting_at(0.5, 2)), {}), InternalError);
 }
 
 TEST(PluginClaims, ANaNInARadiusOrATurnReachesThePlugIn) {

@@ -17,6 +17,7 @@
 #include <string>
 #include <thread>
 
+#include "certify/checker/check_case.hpp"
 #include "io/process_limits.hpp"
 #include "method/ask.hpp"
 #include "method/served_method.hpp"
@@ -324,7 +325,7 @@ TEST(ServedMethod, CrashIsAnErrorLikeAny) {
   const auto method = *served_method("aborts", kPatient);
   Case known;
   known.query = tiny_meeting_points();
-  const Judged judged = ask(*method, known, {});
+  const Judged judged = ask(*method, checked_or_unknown(known), {});
   EXPECT_EQ(judged.outcome, Outcome::kError);
   EXPECT_EQ(judged.error, "crash SIGABRT");
   EXPECT_EQ(judged.answer.verdict, Verdict::kUndecided);
