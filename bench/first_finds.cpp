@@ -144,7 +144,7 @@ class Run {
     if (search_ != Strategy::kDraws && has_founders) {
       constexpr double kSlice = 0.02;
       while (!found_ && used() < kSlice) {
-        cell.breeder.step(methods_, tracers_, budget(),
+        cell.breeder.step(methods_, budget(),
                           [&](const Case&, const Judged& judged) { note(judged); });
       }
       cell.bred_seconds += used();
@@ -159,7 +159,7 @@ class Run {
         lost = lost || loses(asked);
       }
       if (found_) return;
-      if (search_ != Strategy::kDraws) cell.breeder.add(asked, tracers_);
+      if (search_ != Strategy::kDraws) cell.breeder.add(asked, methods_);
     }
     lost_draws_ += lost ? 1 : 0;
     cell.drawn_seconds += used();
@@ -174,7 +174,7 @@ class Run {
   bool loses(const Case& asked) {
     const std::optional<Witness>& witness = asked.truth.witness;
     if (!witness || witness->t > exact(asked.query.t_max)) return false;
-    const Trace& trace = tracers_[quarry_.method].trace(asked.query, *witness, {});
+    const Trace& trace = methods_[quarry_.method].trace(asked.query, *witness, {});
     if (!trace.lost) return false;
     if (const auto q = contact_of(asked)) note_kind(*q, trace);
     return true;
@@ -192,7 +192,6 @@ class Run {
   Strategy search_;
   Draws draws_;
   MethodSet methods_;
-  TracerSet tracers_;
   std::vector<Cell> cells_;
   bool asks_ = false, found_ = false;
   std::uint64_t lost_draws_ = 0;

@@ -28,7 +28,7 @@ std::vector<Contact> mutant_bases(ContactClass contact) {
 /// spec: empty to make mutants and do nothing with them.
 void make_mutants(benchmark::State& state, ContactClass contact, const std::string& spec) {
   const std::vector<Contact> bases = mutant_bases(contact);
-  const auto tracer = make_tracer(spec.empty() ? "tdibm-c" : spec);
+  const auto method = make_method(spec.empty() ? "tdibm-c" : spec);
   Draw random{Random(1)};
   std::int64_t lost = 0;
   for ([[maybe_unused]] const auto _ : state) {
@@ -38,7 +38,7 @@ void make_mutants(benchmark::State& state, ContactClass contact, const std::stri
     if (spec.empty()) {
       benchmark::DoNotOptimize(mutant.query.t_max);
     } else {
-      lost += (*tracer)->trace(mutant.query, mutant.witness(), {}).lost ? 1 : 0;
+      lost += (*method)->trace(mutant.query, mutant.witness(), {}).lost ? 1 : 0;
     }
   }
   state.SetItemsProcessed(state.iterations());

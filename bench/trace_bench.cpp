@@ -16,7 +16,6 @@ constexpr std::uint64_t kTraceCases = 8;
 
 void compare_traces(benchmark::State& state, ContactClass contact, const char* spec) {
   const auto method = make_method(spec);
-  const auto tracer = make_tracer(spec);
   GeneratorOptions generator;
   generator.contact = contact;
   generator.construction = Construction::kOneSided;
@@ -24,7 +23,7 @@ void compare_traces(benchmark::State& state, ContactClass contact, const char* s
   std::vector<Case> cases;
   for (std::uint64_t i = 0; i < kTraceCases; ++i) cases.push_back(generate(generator, i).value);
   const auto trace = [&](const Case& known) {
-    benchmark::DoNotOptimize((*tracer)->trace(known.query, *known.truth.witness, {}).lost);
+    benchmark::DoNotOptimize((*method)->trace(known.query, *known.truth.witness, {}).lost);
   };
   for (const Case& known : cases) trace(known);  // warm
   Ratio ratio;

@@ -33,13 +33,13 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static TracerSet tracers;
+  static MethodSet methods;
   static LostInputs lost_inputs;
   const auto q = contact_of_bytes(std::span(data, size), QueryRange::kAll);
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
   for (std::size_t m = 0; m < kSound.size(); ++m) {
-    const Trace& trace = tracers[kSound[m]].trace(q->query, witness, {});
+    const Trace& trace = methods[kSound[m]].trace(q->query, witness, {});
     Margins::note(m, trace);
     if (!trace.lost) continue;
     std::cerr << kSound[m] << " loses the contact of this case; show it with"
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::size_t place = unproven_of({data, size});
   if (!check_taken(kUnproven[place], q->query)) return 0;
-  const Trace& trace = tracers[kUnproven[place]].trace(q->query, witness, {});
+  const Trace& trace = methods[kUnproven[place]].trace(q->query, witness, {});
   Margins::note(kSound.size() + place, trace);
   if (trace.lost) {
     lost_inputs.keep({data, size},

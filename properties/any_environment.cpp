@@ -223,7 +223,7 @@ std::string said_by(const std::string& spec, const Case& value) {
   }
   out = bits((*make_method(spec))->answer(value.query, options));
   if (check_witness(value.query, witness)) {
-    out += ", " + bits((*make_tracer(spec))->trace(value.query, witness, {.precision = 0x1p-5}));
+    out += ", " + bits((*make_method(spec))->trace(value.query, witness, {.precision = 0x1p-5}));
   }
   if (spec == "tdibm-rational") {
     out += proves_clear(value.query, witness.t, {.pops = 24}) ? ", clear" : ", not clear";

@@ -67,8 +67,8 @@ std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw) {
 }
 
 void claim_kept(const std::string& method, const Case& value, Draw& draw, double precision) {
-  const auto tracer = make_tracer(method).value();
-  const Trace& trace = tracer->trace(value.query, *value.truth.witness, {.precision = precision});
+  const auto made = make_method(method).value();
+  const Trace& trace = made->trace(value.query, *value.truth.witness, {.precision = precision});
   show(draw, "method", method);
   if (trace.lost) {
     show(draw, "level", trace.loss->place.level);

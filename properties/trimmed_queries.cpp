@@ -51,12 +51,12 @@ void check_trim_traces(Draw& d) {
   for (const std::string method : {"tdibm", "tdibm-e", "trad", "tdibm-rational", "tdibm-c"}) {
     // Its trace of whole linear patches is that of the linear decision.
     if (method == "tdibm-c" && is_linear_query(whole)) continue;
-    const auto tracer = make_tracer(method).value();
+    const auto made = make_method(method).value();
     const TraceOptions options{.precision = 0x1p-8, .all = true};
     const Witness& witness = *known.truth.witness;
-    const Trace& trimmed = tracer->trace(known.query, witness, options);
+    const Trace& trimmed = made->trace(known.query, witness, options);
     const auto seen = std::array{trimmed.pairs, trimmed.lost_pairs};
-    const Trace& of_whole = tracer->trace(whole, witness, options);
+    const Trace& of_whole = made->trace(whole, witness, options);
     CLAIM(seen == std::array{of_whole.pairs, of_whole.lost_pairs});
   }
 }

@@ -21,7 +21,7 @@ CorpusDriver::CorpusDriver(const std::string& corpus) {
 std::string CorpusDriver::operator()(std::uint64_t index) {
   if (!trouble_.empty()) return trouble_;
   const NamedCase& entry = entries_[index];
-  std::string lost = lost_contact(entry.value, {.asks = false}, tracers_);
+  std::string lost = lost_contact(entry.value, {.asks = false}, methods_);
   if (!lost.empty()) return lost;
   const Result<CheckedCase> known = check_case(entry);
   if (!known) return known.error().message();

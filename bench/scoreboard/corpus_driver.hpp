@@ -21,7 +21,6 @@ class CorpusDriver {
   std::string trouble_;
   std::vector<NamedCase> entries_;
   MethodSet methods_;
-  TracerSet tracers_;
 };
 
 }  // namespace ccdfuzz

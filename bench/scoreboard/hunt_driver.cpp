@@ -44,7 +44,7 @@ std::string HuntDriver::operator()(std::uint64_t index) {
   std::string found = generate(index);
   for (Breeder& breeder : breeders_) {
     for (int i = 0; found.empty() && i < kMutants; ++i) {
-      breeder.step(methods_, tracers_, kDriverSearch, [&](const Case&, const Judged& judged) {
+      breeder.step(methods_, kDriverSearch, [&](const Case&, const Judged& judged) {
         found = fmt::format("a mutant's answer is {}", name_of(judged.outcome));
       });
       if (breeder.tally().lost > 0) found = "a mutant's contact is lost";
@@ -57,9 +57,9 @@ std::string HuntDriver::generate(std::uint64_t index) {
   const Case known = contact_anywhere(seed_, index);
   Look look = parts_.look;
   if (look.traces && index % kOneAskedIn != 0) look.asks = false;
-  std::string found = lost_contact(known, look, tracers_);
+  std::string found = lost_contact(known, look, methods_);
   if (!found.empty() || index % kOneBredIn != 0) return found;
-  for (Breeder& breeder : breeders_) breeder.add(known, tracers_);
+  for (Breeder& breeder : breeders_) breeder.add(known, methods_);
   return found;
 }
 

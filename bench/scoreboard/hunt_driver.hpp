@@ -29,7 +29,6 @@ class HuntDriver {
   std::uint64_t seed_;
   HuntParts parts_;
   MethodSet methods_;
-  TracerSet tracers_;
   std::vector<Breeder> breeders_;
 };
 

@@ -42,14 +42,14 @@ std::string contradiction(const Query& query) {
   return "";
 }
 
-std::string lost_contact(const Case& known, Look look, TracerSet& tracers) {
+std::string lost_contact(const Case& known, Look look, MethodSet& methods) {
   if (const auto checked = check_truth(known); !checked) return checked.error().message();
   const bool ordinary = is_within_scale(known.query, kErrorBoundScale);
   for (const char* method : kSoundMethods) {
     if (!ordinary && std::string_view(method) == "tdibm-e") continue;
     if (look.traces && known.truth.witness) {
       const Trace& trace =
-          tracers[method].trace(known.query, *known.truth.witness, {.precision = 0x1p-8});
+          methods[method].trace(known.query, *known.truth.witness, {.precision = 0x1p-8});
       if (trace.lost) return fmt::format("{} loses a contact", method);
     }
     if (!look.asks) continue;

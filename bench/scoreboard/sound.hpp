@@ -27,6 +27,6 @@ struct Look {
 };
 
 /// Checks the truth of a case, and asks the sound methods about it.
-std::string lost_contact(const Case& known, Look look, TracerSet& tracers);
+std::string lost_contact(const Case& known, Look look, MethodSet& methods);
 
 }  // namespace ccdfuzz

@@ -113,12 +113,16 @@ std::optional<InputError> untraced(const NamedCase& named) {
 }
 
 int run_trace(const TraceArguments& options, Session& session) {
-  for (const std::string& method : options.methods)
-    need(make_tracer(method));  // no plug-in has one
+  for (const std::string& method : options.methods) {
+    if (need(make_method(method))->is_traceable()) continue;
+    throw BadInput{{"--methods", fmt::format("\"{}\" is a plug-in: what it does inside cannot be "
+                                             "traced",
+                                             method)}};
+  }
   session.begin_table(trace_columns());
   std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0, left_out = 0;
   std::optional<InputError> first_why_not;
-  tbb::enumerable_thread_specific<TracerSet> tracers;
+  tbb::enumerable_thread_specific<MethodSet> methods;
   session.each_case<Traced>(
       CaseStream(options.files),
       [&](NamedCase& named) -> Traced {
@@ -130,7 +134,7 @@ int run_trace(const TraceArguments& options, Session& session) {
         for (const std::string& method : options.methods) {
           const Result<void> taken = check_taken(method, known.query);
           std::optional<Trace>& trace = made.by_methods.emplace_back();
-          if (taken) trace = tracers.local()[method].trace(known.query, *known.truth.witness, how);
+          if (taken) trace = methods.local()[method].trace(known.query, *known.truth.witness, how);
           if (!taken) made.why_not = taken.error();
         }
         return made;

@@ -115,11 +115,12 @@ Asked asked_with(const SearchOptions& search) {
   return {search.precision, std::max(search.max_pops, Asked().max_pops)};
 }
 
-std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers) {
+std::string cause_of_loss(const std::string& method, const Case& value) {
   const std::optional<Witness>& witness = value.truth.witness;
   if (!witness || witness->t > exact(value.query.t_max) || is_of_bodies(value.query)) return "";
-  Tracer* const tracer = tracers.find(method);
-  return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *witness, {}));
+  const auto made = make_method(method);
+  if (!made || !(*made)->is_traceable()) return "";
+  return loss_cause((*made)->trace(value.query, *witness, {}));
 }
 
 Expected Asker::expected(const std::string& method, const Case& value, const Judged& judged) {
@@ -127,7 +128,7 @@ Expected Asker::expected(const std::string& method, const Case& value, const Jud
   if (!is_failure(judged.outcome)) return judged.outcome;
   if (is_of_bodies(value.query)) return {judged.outcome, kind_of_bodies(value.query)};
   if (!is_false_negative(judged.outcome)) return judged.outcome;
-  return {judged.outcome, cause_ ? cause_(method, value) : cause_of_loss(method, value, tracers_)};
+  return {judged.outcome, cause_(method, value)};
 }
 
 std::optional<Failure> Asker::failure(const std::string& method, const Case& value) {

@@ -79,7 +79,7 @@ Asked asked_with(const SearchOptions& search);
 
 /// The cause that lost the contact of a case in the search of a method: loss_cause of its trace.
 /// Empty where no contact by t_max is known, or the method cannot be traced.
-std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
+std::string cause_of_loss(const std::string& method, const Case& value);
 
 /// What is wrong with a method of which Asker::differs is true.
 inline constexpr const char* kAnswersDiffer = "answers differ from one ask to the next";
@@ -90,7 +90,8 @@ class Asker {
   using CauseOfLoss = std::function<std::string(const std::string& method, const Case& value)>;
 
   /// cause: in place of cause_of_loss.
-  explicit Asker(const SearchOptions& search, MethodSet methods = {}, CauseOfLoss cause = nullptr)
+  explicit Asker(const SearchOptions& search, MethodSet methods = {},
+                 CauseOfLoss cause = cause_of_loss)
       : search_(search), methods_(std::move(methods)), cause_(std::move(cause)) {}
 
   Judged ask(const std::string& method, const CheckedCase& known) {
@@ -125,13 +126,11 @@ class Asker {
 
   const SearchOptions& search() const { return search_; }
   MethodSet& methods() { return methods_; }
-  TracerSet& tracers() { return tracers_; }
 
  private:
   SearchOptions search_;
   MethodSet methods_;
-  CauseOfLoss cause_;  ///< empty: cause_of_loss
-  TracerSet tracers_;
+  CauseOfLoss cause_;
 };
 
 }  // namespace ccdfuzz

@@ -30,14 +30,14 @@ void drift(std::vector<Member>& members, Member next, Draw& random) {
 
 Breeder::Breeder(std::string method, std::uint64_t seed, const HuntGround& ground, Aim aim)
     : method_(std::move(method)),
-      traceable_(make_tracer(method_).has_value()),
+      traceable_(value_or_throw(make_method(method_))->is_traceable()),
       features_(value_or_throw(method_info(method_)).features),
       ground_(ground),
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-bool Breeder::trace_and_note(const Contact& q, TracerSet& tracers) {
-  const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
+bool Breeder::trace_and_note(const Contact& q, MethodSet& methods) {
+  const Trace& trace = methods[method_].trace(q.query, q.witness(), {});
   if (trace.lost) {
     if (lost_) lost_(q, trace);
     return false;
@@ -51,7 +51,7 @@ bool Breeder::is_for_it(const Query& query) const {
   return ground_.has(query) && TakenQuery(query, features_).query() != nullptr;
 }
 
-void Breeder::add(const Case& known, TracerSet& tracers) {
+void Breeder::add(const Case& known, MethodSet& methods) {
   if (decides_anew(known.query)) {
     if (!is_for_it(known.query)) return;
     founders_.insert(content_address(known.query));
@@ -61,7 +61,7 @@ void Breeder::add(const Case& known, TracerSet& tracers) {
   if (!q || !is_for_it(q->query)) return;
   founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
-  if (traceable_) trace_and_note(*q, tracers);
+  if (traceable_) trace_and_note(*q, methods);
   drift(drifting_, *std::move(q), random_);
 }
 
@@ -89,7 +89,7 @@ std::optional<Case> Breeder::decided_mutant() {
   return made;
 }
 
-void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
+void Breeder::step(MethodSet& methods, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
   if (!queries_.empty()) {
     const std::optional<Case> made = decided_mutant();
@@ -103,7 +103,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;
   if (traceable_) ++tally_.mutants;
-  if (traceable_ && trace_and_note(mutant, tracers)) {
+  if (traceable_ && trace_and_note(mutant, methods)) {
     drift(drifting_, std::move(mutant), random_);
     return;
   }

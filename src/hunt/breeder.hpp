@@ -49,10 +49,10 @@ class Breeder {
           Aim aim = Aim::kMargins);
 
   /// A case joins the population, if it has a dyadic witness within its t_max.
-  void add(const Case& known, TracerSet& tracers);
+  void add(const Case& known, MethodSet& methods);
 
   /// Makes one mutant and traces it. found(Case, Judged): a counterexample.
-  void step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
+  void step(MethodSet& methods, const SearchOptions& search,
             const std::function<void(const Case&, const Judged&)>& found);
 
   const BreedTally& tally() const { return tally_; }
@@ -65,7 +65,7 @@ class Breeder {
 
  private:
   /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
-  bool trace_and_note(const Contact& q, TracerSet& tracers);
+  bool trace_and_note(const Contact& q, MethodSet& methods);
   /// Whether it lies on the ground and the method takes it.
   bool is_for_it(const Query& query) const;
   const Contact& mother();

@@ -217,7 +217,7 @@ class Hunt {
     const double start = clock_of(method);
     for (const std::uint64_t all = founders_of(turn.draw); founded < all && !stops(); ++founded) {
       for (const CheckedCase& asked : founder(turn.cell, founded)) {
-        breeder.add(asked.value(), asker.tracers());
+        breeder.add(asked.value(), asker.methods());
       }
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
@@ -226,10 +226,9 @@ class Hunt {
     };
     done.bred = !breeder.empty();
     while (done.bred && goes_on()) {
-      breeder.step(asker.methods(), asker.tracers(), options_.search,
-                   [&](const Case& asked, const Judged& judged) {
-                     note_failure(cell.method, asked, judged, asker, done);
-                   });
+      breeder.step(asker.methods(), options_.search, [&](const Case& asked, const Judged& judged) {
+        note_failure(cell.method, asked, judged, asker, done);
+      });
     }
     done.cpu_seconds = clock_of(method) - start;
     done.population = breeder.tally();

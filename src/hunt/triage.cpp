@@ -49,9 +49,9 @@ Case decided_with_little_effort(const Case& candidate) {
 std::string refutation_by_sound_methods(const Case& known) {
   const std::optional<Witness>& witness = known.truth.witness;
   if (witness && witness->t <= exact(known.query.t_max)) {
-    TracerSet tracers;
     for (const char* method : kMissNothing) {
-      const Trace& trace = tracers[method].trace(known.query, *witness, {});
+      const auto made = value_or_throw(make_method(method));
+      const Trace& trace = made->trace(known.query, *witness, {});
       if (!trace.lost) continue;
       return fmt::format("the witness trace of {} loses the contact (ccdfuzz trace shows it): {}",
                          method, loss_signature(trace));
@@ -81,8 +81,7 @@ std::string served_errand(const std::string& question) {
   const auto [name, method, value] = value_or_throw(from_json<Errand>(question, "the question"));
   if (name == "decide") return to_json(Triage::Told{"", decided_with_little_effort(value)});
   if (name == "refute") return to_json(Triage::Told{refutation_by_sound_methods(value), {}});
-  TracerSet tracers;
-  return to_json(Triage::Told{cause_of_loss(method, value, tracers), {}});
+  return to_json(Triage::Told{cause_of_loss(method, value), {}});
 }
 
 Triage::Triage(Store& store, TriageOptions options)

@@ -5,41 +5,27 @@
 #include <memory>
 #include <string>
 
-#include "base/verify.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
 
-/// One object for each spec, made when first asked for, by make unless by another; for one thread.
-template <class T, Result<std::unique_ptr<T>> (*make)(const std::string& spec)>
-class BySpec {
+/// One method for each spec, made when first asked for; for one thread.
+class MethodSet {
  public:
-  using Make = std::function<Result<std::unique_ptr<T>>(const std::string& spec)>;
-  BySpec() = default;
-  explicit BySpec(Make other) : make_(std::move(other)) {}
+  using Make = std::function<Result<std::unique_ptr<Method>>(const std::string& spec)>;
+  MethodSet() = default;
+  explicit MethodSet(Make make) : make_(std::move(make)) {}
 
-  /// Null where there is none for this spec: a plug-in has no tracer.
-  T* find(const std::string& spec) {
-    std::unique_ptr<T>& one = made_[spec];
-    if (!one) {
-      if (Result<std::unique_ptr<T>> made = make_(spec)) one = std::move(*made);
-    }
-    return one.get();
-  }
-
-  /// Requires a spec that make accepts: of methods, one that parse_method_list accepted.
-  T& operator[](const std::string& spec) {
-    T* const one = find(spec);
-    CCDFUZZ_VERIFY(one != nullptr);
+  /// Requires a spec that make accepts: for make_method, one that parse_method_list accepted.
+  Method& operator[](const std::string& spec) {
+    std::unique_ptr<Method>& one = made_[spec];
+    if (!one) one = value_or_throw(make_(spec));
     return *one;
   }
 
  private:
-  Make make_ = make;
-  std::map<std::string, std::unique_ptr<T>> made_;
+  Make make_ = make_method;
+  std::map<std::string, std::unique_ptr<Method>> made_;
 };
-
-using MethodSet = BySpec<Method, make_method>;
-using TracerSet = BySpec<Tracer, make_tracer>;
 
 }  // namespace ccdfuzz

@@ -65,24 +65,21 @@ class Method {
   virtual bool runs_elsewhere() const { return false; }
   /// The queries that it promises to answer; null: all that it takes.
   virtual const Domain* domain() const { return nullptr; }
+
+  /// Whether trace() can follow witnesses through it.
+  virtual bool is_traceable() const { return false; }
+  /// Follows a witness through its inclusion tests, the code that its queries run. Once warm, a
+  /// trace allocates nothing. Requires is_traceable(), a valid query, a precision in (0, 1], and a
+  /// witness of the query (check_witness). Throws InternalError where one of these is missing, the
+  /// query is not taken (check_taken), or t* is outside [0, t_max]. Whether the patches touch there
+  /// is not checked. The result is valid until the next call.
+  virtual const Trace& trace(const Query& query, const Witness& witness,
+                             const TraceOptions& options);
 };
 
 /// The answer of a method, with the time that it took. A method that tells its own time, as
 /// plug-ins do, is believed.
 Answered timed_answer(Method& method, const Query& query, const SearchOptions& options);
-
-/// Follows a witness through the inclusion tests of a method, the code that its queries run. One
-/// object serves one thread and keeps its buffers: once warm, a trace allocates nothing.
-class Tracer {
- public:
-  virtual ~Tracer() = default;
-  /// Requires a valid query, a precision in (0, 1], and a witness of the query (check_witness).
-  /// Throws InternalError if the query is not valid or not taken (check_taken), the precision is
-  /// out of range, or t* is outside [0, t_max]. Whether the patches touch there is not checked. The
-  /// result is valid until the next call.
-  virtual const Trace& trace(const Query& query, const Witness& witness,
-                             const TraceOptions& options) = 0;
-};
 
 /// A family of methods, for `ccdfuzz methods` and the judge.
 struct MethodInfo {
@@ -140,9 +137,6 @@ Result<void> check_taken(const std::string& spec, const Query& query);
 /// A fresh method for a concrete spec, an admitted plug-in's too. Errors: an unknown name, a bad
 /// parameter or a plug-in that was not admitted, naming it.
 Result<std::unique_ptr<Method>> make_method(const std::string& spec);
-
-/// A fresh tracer of the method of a concrete spec. Errors: as make_method.
-Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec);
 
 /// Splits "a,b,c", which the command line gives, admits its plug-ins and checks each spec.
 Result<std::vector<std::string>> parse_method_list(const std::string& list);

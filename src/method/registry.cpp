@@ -28,13 +28,14 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Any class with `Answer answer(const Query&, const SearchOptions&)` as a Method.
-template <class Solver>
+/// Any class with `Answer answer(const Query&, const SearchOptions&)` as a Method, and one with
+/// `const Trace& trace(const Query&, const Witness&, const TraceOptions&)` that traces it.
+template <class Solver, class Follower>
 class BuiltIn : public Method {
  public:
   template <class... Args>
-  explicit BuiltIn(const Features& features, Args&&... args)
-      : features_(features), solver_(std::forward<Args>(args)...) {}
+  explicit BuiltIn(const Features& features, const Args&... args)
+      : features_(features), solver_(args...), follower_(args...) {}
 
   Answered answer(const Query& query, const SearchOptions& options) override {
     const TakenQuery taken(query, features_);
@@ -42,20 +43,7 @@ class BuiltIn : public Method {
     return no_answer(Verdict::kRefused, taken.why());
   }
 
- private:
-  const Features features_;
-  Solver solver_;
-};
-
-/// Any class with `const Trace& trace(const Query&, const Witness&, const TraceOptions&)` as a
-/// Tracer.
-template <class Follower>
-class BuiltInTracer : public Tracer {
- public:
-  template <class... Args>
-  explicit BuiltInTracer(const Features& features, Args&&... args)
-      : features_(features), follower_(std::forward<Args>(args)...) {}
-
+  bool is_traceable() const override { return true; }
   const Trace& trace(const Query& query, const Witness& witness,
                      const TraceOptions& options) override {
     const TakenQuery taken(query, features_);
@@ -65,6 +53,7 @@ class BuiltInTracer : public Tracer {
 
  private:
   const Features features_;
+  Solver solver_;
   Follower follower_;
 };
 
@@ -85,15 +74,14 @@ struct SwitchedSpec {
 struct Family {
   MethodInfo info;
   std::function<Result<std::unique_ptr<Method>>(const SwitchedSpec&)> make;
-  std::function<Result<std::unique_ptr<Tracer>>(const SwitchedSpec&)> make_tracer;
 };
 
-/// An object of the class Made around what the parts of a spec, a Result of a tuple, make.
-template <class Base, class Made>
-Result<std::unique_ptr<Base>> made_of(const Features& features, const auto& parts) {
+/// A method of the class Made of the parts of a spec, a Result of a tuple.
+template <class Made>
+Result<std::unique_ptr<Method>> made_of(const Features& features, const auto& parts) {
   return parts.map([&](const auto& all) {
     return std::apply(
-        [&](const auto&... each) -> std::unique_ptr<Base> {
+        [&](const auto&... each) -> std::unique_ptr<Method> {
           return std::make_unique<Made>(features, each...);
         },
         all);
@@ -104,14 +92,10 @@ Result<std::unique_ptr<Base>> made_of(const Features& features, const auto& part
 template <class Solver, class Follower, class Plain = Solver, class PartsOf>
 Family family(MethodInfo info, const PartsOf& parts_of) {
   const Features features = info.features;
-  return {std::move(info),
-          [=](const SwitchedSpec& spec) {
+  return {std::move(info), [=](const SwitchedSpec& spec) {
             const auto parts = parts_of(spec);
-            return spec.has("unoptimised") ? made_of<Method, BuiltIn<Plain>>(features, parts)
-                                           : made_of<Method, BuiltIn<Solver>>(features, parts);
-          },
-          [=](const SwitchedSpec& spec) {
-            return made_of<Tracer, BuiltInTracer<Follower>>(features, parts_of(spec));
+            return spec.has("unoptimised") ? made_of<BuiltIn<Plain, Follower>>(features, parts)
+                                           : made_of<BuiltIn<Solver, Follower>>(features, parts);
           }};
 }
 
@@ -283,6 +267,10 @@ Answered timed_answer(Method& method, const Query& query, const SearchOptions& o
   return answer;
 }
 
+const Trace& Method::trace(const Query&, const Witness&, const TraceOptions&) {
+  throw InternalError("this method cannot be traced");
+}
+
 std::span<const MethodSwitch> method_switches() {
   return kSwitches;
 }
@@ -320,16 +308,6 @@ Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
   if (names_plugin(spec)) return know_plugin(spec).map(make_plugin_method);
   return find_family(spec).and_then(
       [](const Found& found) { return found.family->make(found.spec); });
-}
-
-Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
-  if (names_plugin(spec)) {
-    return input_error("--methods", fmt::format("\"{}\" is a plug-in: what it does inside cannot "
-                                                "be traced",
-                                                spec));
-  }
-  return find_family(spec).and_then(
-      [](const Found& found) { return found.family->make_tracer(found.spec); });
 }
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {

@@ -128,7 +128,7 @@ std::string json_text(const Json& value) {
 }
 
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
-                  bool trace_all, TracerSet& tracers) {
+                  bool trace_all) {
   const Case& known = reported.value;
   const bool failed = reported.has_failure();
   const auto& witness = known.truth.witness;
@@ -147,10 +147,11 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
     if (answer.outcome == Outcome::kError || answer.outcome == Outcome::kNotAsked) {
       continue;  // it would do here what it did there
     }
-    Tracer* const tracer = tracers.find(answer.method);
-    if (!tracer || is_of_bodies(known.query))
+    const auto method = make_method(answer.method);
+    if (!method || !(*method)->is_traceable() || is_of_bodies(known.query))
       continue;  // a plug-in, of which nothing is seen but its answer
-    const Trace traced = tracer->trace(known.query, *witness, {reported.precision, false, true});
+    const Trace& traced =
+        (*method)->trace(known.query, *witness, {reported.precision, false, true});
     traces.push_back(trace_json(known, answer.method, traced));
     const Json& trace = traces.back();
     if (!is_failure(answer.outcome)) continue;

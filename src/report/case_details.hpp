@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "method/by_spec.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {
@@ -28,6 +27,6 @@ struct CaseText {
 /// - `bits` are the query's significant bits (CaseSize);
 /// - `causes` maps methods that failed to the cause: the one that the case expects, or the trace's.
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
-                  bool trace_all, TracerSet& tracers);
+                  bool trace_all);
 
 }  // namespace ccdfuzz

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -110,12 +109,10 @@ std::string report_page(const ReportPage& report, int threads) {
                              gzip_base64("[" + chunk + "]"));
     chunk.clear();
   };
-  tbb::enumerable_thread_specific<TracerSet> tracers;
   run_in_order<CaseText>(
       report.cases.size(), threads,
       [&](size_t i) {
-        return describe(report.cases[i], methods, report.cases.size() <= kFewCases,
-                        tracers.local());
+        return describe(report.cases[i], methods, report.cases.size() <= kFewCases);
       },
       [&](const CaseText& text) {
         chunk += (chunk.empty() ? "" : ",") + text.details;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <stdexcept>
 #include <string>
 
 #include "ccd/witness_trace/trace.hpp"
@@ -17,10 +16,8 @@ inline constexpr std::array kTraceable = {
 /// Those whose miss is a proof, here and everywhere.
 inline constexpr std::array kSound = {"tdibm-rational", "tdibm-c"};
 
-inline std::unique_ptr<Tracer> tracer_of(const std::string& spec) {
-  auto made = make_tracer(spec);
-  if (!made) throw std::runtime_error(made.error().message());
-  return *std::move(made);
+inline std::unique_ptr<Method> tracer_of(const std::string& spec) {
+  return value_or_throw(make_method(spec));
 }
 
 inline Witness at_time(const Rational& t) {

@@ -21,19 +21,18 @@ struct Bred {
 Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
              const HuntGround& ground = {}, Aim aim = Aim::kMargins, std::uint64_t seed = 1) {
   MethodSet methods;
-  TracerSet tracers;
   Breeder breeder(method, seed, ground, aim);
   const Draws draws(seed, ground);
   for (std::uint64_t i = 0; i < 3; ++i) {
     for (const CheckedCase& asked : draws.at(contact, i)) {
-      breeder.add(asked.value(), tracers);
+      breeder.add(asked.value(), methods);
     }
   }
   SearchOptions search;
   search.max_pops = 10'000;
   Bred bred;
   for (std::size_t i = 0; i < steps; ++i) {
-    breeder.step(methods, tracers, search, [&](const Case& asked, const Judged& judged) {
+    breeder.step(methods, search, [&](const Case& asked, const Judged& judged) {
       EXPECT_TRUE(is_false_negative(judged.outcome) || names_plugin(method));
       EXPECT_TRUE(check_witness(asked.query, *asked.truth.witness)) << to_json(asked);
       bred.found.push_back(asked);

@@ -76,8 +76,8 @@ std::vector<Contact> drawn_contacts(ContactClass contact, std::uint64_t draws) {
 }
 
 Standing standing_by(const std::string& method, const Contact& q) {
-  TracerSet tracers;
-  return standing_of(q, tracers[method].trace(q.query, q.witness(), {}));
+  MethodSet methods;
+  return standing_of(q, methods[method].trace(q.query, q.witness(), {}));
 }
 
 // A power of two changes no rounding, and so not how near its errors come.

@@ -206,8 +206,7 @@ TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
   const std::string spec = "plugin-exec:" + (folder / "trap");
   EXPECT_FALSE(is_admitted(spec));
   for (const std::string& message :
-       {make_method(spec).error().message(), method_info(spec).error().message(),
-        make_tracer(spec).error().message()}) {
+       {make_method(spec).error().message(), method_info(spec).error().message()}) {
     EXPECT_THAT(message, testing::HasSubstr("\"" + spec + "\""));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "sprung"));
@@ -271,9 +270,6 @@ TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
               testing::HasSubstr("a program is plugin-exec:PATH"));
   EXPECT_THAT(make_method(folder / "text").error().message(),
               testing::HasSubstr("did you mean plugin-exec:" + (folder / "text") + "?"));
-  const auto tracer = make_tracer(kNaive);
-  ASSERT_FALSE(tracer);
-  EXPECT_THAT(tracer.error().message(), testing::HasSubstr("cannot be traced"));
 }
 
 /// Whether a process is there; one that has ended but that nobody looked after yet is not.

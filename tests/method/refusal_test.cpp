@@ -154,18 +154,18 @@ TEST(Refusal, TracersThrowOnWhatIsNotValid) {
   }
   const Witness witness{Rational(1, 2), {}};
   for (const std::string& spec : every_method()) {
-    const auto tracer = *make_tracer(spec);
-    EXPECT_FALSE(tracer->trace(meeting(Shape::triangle(1)), witness, {}).lost) << spec;
+    const auto method = *make_method(spec);
+    EXPECT_FALSE(method->trace(meeting(Shape::triangle(1)), witness, {}).lost) << spec;
     for (const Spoilt& spoilt : all) {
       Query query = meeting(Shape::triangle(1));
       SearchOptions search;
       spoilt.spoil(query, search);
-      EXPECT_THROW(tracer->trace(query, witness, {.precision = search.precision}), InternalError)
+      EXPECT_THROW(method->trace(query, witness, {.precision = search.precision}), InternalError)
           << spec << ": " << spoilt.note;
     }
     const Witness before{Rational(-1, 2), {}}, after{Rational(3, 2), {}};
-    EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), before, {}), InternalError) << spec;
-    EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), after, {}), InternalError) << spec;
+    EXPECT_THROW(method->trace(meeting(Shape::triangle(1)), before, {}), InternalError) << spec;
+    EXPECT_THROW(method->trace(meeting(Shape::triangle(1)), after, {}), InternalError) << spec;
   }
 }
 

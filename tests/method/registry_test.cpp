@@ -29,7 +29,7 @@ TEST(Registry, SwitchesAreTakenInAnyOrder) {
       const Answer answer = (*method)->answer(meeting_points(1), {});
       EXPECT_EQ(answer.verdict, Verdict::kHit) << spec;
       EXPECT_LE(answer.toi.value_or(2), 0.5) << spec;
-      EXPECT_TRUE(make_tracer(spec)) << spec;
+      EXPECT_TRUE((*method)->is_traceable()) << spec;
       EXPECT_EQ(method_info(spec)->spec, info.spec);
     }
   }

@@ -16,7 +16,7 @@ class InclusionTracer {
   template <class... Args>
   explicit InclusionTracer(Args&&... args) : inclusion_(std::forward<Args>(args)...) {}
 
-  /// Requires and errors: as Tracer::trace (method/method.hpp).
+  /// Requires and errors: as Method::trace (method/method.hpp).
   const Trace& trace(const Query& query, const Witness& witness, const TraceOptions& options) {
     const FpGuard guard;
     CCDFUZZ_VERIFY(is_taken(query, {.precision = options.precision}) && sgn(witness.t) >= 0);

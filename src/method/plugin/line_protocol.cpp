@@ -23,7 +23,7 @@ struct JsonForm<BodyKind> {
   }
 };
 
-/// Of a pair in `accepts`.
+/// As it stands in a pair of `accepts`.
 template <>
 struct JsonForm<Domain::Side> {
   static void fields(auto& archive, auto& side) {
