@@ -14,7 +14,6 @@ namespace ccdfuzz {
 
 namespace {
 
-using exact_ccd::Cut;
 using exact_ccd::Gap;
 
 /// Numbers that are hard to bring to one magnitude, or patches that touch.
@@ -72,7 +71,7 @@ void check_signs(Draw& d) {
 struct CutMade {
   TimeWindow<Rational> before, after, separated;
   bool all_separated = false;
-  Cut cut = Cut::kNothing;
+  bool is_left = true;
   Rational step;  ///< the distance of two times of the grid
   /// The least gap at an end, by its error bound, of what is separated at one of the ends alone.
   double least_gap = std::numeric_limits<double>::infinity();
@@ -83,14 +82,14 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
   s.put(gap);
   const double a = draw_window_end(d, s.query, gap.units());
   const double b = draw_window_end(d, s.query, gap.units());
-  exact_ccd::ScaledWindow window{gap.scaled(std::min(a, b)), gap.scaled(std::max(a, b))};
+  Window window{gap.scaled(std::min(a, b)), gap.scaled(std::max(a, b))};
   const std::array ends = {window.lo, window.hi};
   const auto unscaled = [&] {
     return TimeWindow<Rational>{exact(gap.unscaled(window.lo)), exact(gap.unscaled(window.hi))};
   };
   CutMade made;
   made.before = made.separated = unscaled();
-  made.cut = cut_window(gap, window);
+  made.is_left = cut_window(gap, window);
   made.after = unscaled();
   made.step = power_of_two(gap.units().grid);
   const auto& [lo, hi] = made.before;
@@ -111,7 +110,7 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
   show(d, "window", std::array{lo, hi});
   show(d, "cut to", std::array{made.after.lo, made.after.hi});
   show(d, "separated up to, and from", std::array{made.separated.lo, made.separated.hi});
-  show(d, "cut", static_cast<int>(made.cut));
+  show(d, "a window is left", made.is_left);
   return made;
 }
 
@@ -120,14 +119,13 @@ void check_cuts(Draw& d) {
   const bool is_plain = d.coin();
   Query query = is_plain ? supposed(draw_contact(d, {0, 0, 3})).query : draw_hard_query(d, 3);
   if (is_plain) query.t_max = d.pick(std::array{1.0, 2.0, 0.1, 1 + 0x1p-30, 3.0});
-  const auto [before, after, separated, all_separated, cut, step, least_gap] =
+  const auto [before, after, separated, all_separated, is_left, step, least_gap] =
       make_cut(d, draw_gap_setting(d, query, 6));
-  CLAIM((cut == Cut::kAll) == all_separated);
+  CLAIM(is_left != all_separated);
   if (all_separated) return;
   CLAIM(before.lo <= after.lo && after.lo <= separated.lo);
   CLAIM(separated.hi <= after.hi && after.hi <= before.hi);
   CLAIM(after.lo <= after.hi);
-  CLAIM((cut == Cut::kNothing) == (before.lo == after.lo && before.hi == after.hi));
   // Newton's iteration in doubles stops at a gap of the error bound. As the gap is convex, that is
   // within this part of the window of the root: less than a step.
   if (!is_plain || least_gap <= 0x1p32) return;

@@ -60,17 +60,18 @@ std::array<double, 3> centre(Controls& controls, int first, int shift) {
   return centres;
 }
 
-/// Positions to p', and ends, or velocities beside the ends of the other patch, to v'. c + t·w is
-/// common to both patches: of ends on both sides c + w is the centre of the ends, otherwise w = 0.
-void centre_ends(Controls& controls, const std::array<bool, 2>& has_ends, int shift) {
-  const std::array<double, 3> c = centre(controls, 0, shift);
-  if (has_ends[0] && has_ends[1]) {
-    centre(controls, 3, shift);
+/// Makes positions p', and velocities or ends v'. c + t·w is common to both patches. Where both
+/// have ends, c + w is the centre of the ends; where both have velocities, w is theirs; otherwise w
+/// = 0. Where there are ends, both shifts are the same.
+void centre_all(Controls& controls, const std::array<bool, 2>& has_ends, int shift_p, int shift_v) {
+  const std::array<double, 3> c = centre(controls, 0, shift_p);
+  if (has_ends[0] == has_ends[1]) {
+    centre(controls, 3, shift_v);
   } else {
     for (size_t s = 0; s < 2; ++s) {
       for (auto& x : controls[s]) {
         for (size_t k = 0; k < 3; ++k) {
-          x[k + 3] = std::ldexp(x[k + 3], -shift) - (has_ends[s] ? c[k] : 0);
+          x[k + 3] = std::ldexp(x[k + 3], -shift_v) - (has_ends[s] ? c[k] : 0);
         }
       }
     }
@@ -116,13 +117,8 @@ void normalise(const Query& query, NormalisedQuery& out) {
     return top_of(largest) > kLargestSafeExponent - more ? 2 + more : 0;
   };
   int shift_p = shift_of(position), shift_v = shift_of(velocity);
-  if (any_ends) {
-    shift_p = shift_v = std::max(shift_p, shift_v);
-    centre_ends(out.controls, has_ends, shift_p);
-  } else {
-    centre(out.controls, 0, shift_p);
-    centre(out.controls, 3, shift_v);
-  }
+  if (any_ends) shift_p = shift_v = std::max(shift_p, shift_v);
+  centre_all(out.controls, has_ends, shift_p, shift_v);
   // e' and p' have a rounding each and their difference one: 2u·(|p''| + |v''|) where t_max ≤ 1.
   out.roundings = any_ends ? 2 : 0;
 

@@ -22,9 +22,10 @@ CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double wa
         return p;
       }) {}
 
-CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first)
-    : a_(a), b_(b), first_(first) {
-  if (first != Axis{}) add(first);
+CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, bool apart)
+    : a_(a), b_(b), apart_(apart) {
+  const Axis offset = minus(a.middle, b.middle);
+  if (apart && offset != Axis{}) add(offset);
   if (a.has_normal()) add(a.normal);
   if (b.has_normal()) add(b.normal);
   if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));
@@ -45,7 +46,7 @@ void CandidateAxes::add_rest() {
   }
   if (a_.has_normal() && b_.has_normal()) return;
   const Axis offset = minus(a_.middle, b_.middle);
-  if (offset != first_) add(offset);
+  if (!apart_ && offset != Axis{}) add(offset);
   for (const CornerFrame* s : {&a_, &b_}) {
     for (int i = 0; i < s->edge_count; ++i) add(cross(s->edges[i], cross(offset, s->edges[i])));
   }

@@ -71,9 +71,9 @@ CornerFrame::CornerFrame(const Shape& shape, const PointAt& point_at) {
 /// only if the first batch leaves the pair together.
 class CandidateAxes {
  public:
-  /// first: an axis to begin with, if it is not zero. Where cells are to be a distance apart, and
-  /// small beside it, the offset of their middles is nearly the direction between nearest points.
-  CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first = {});
+  /// apart: the shapes are to be a distance apart. Where they are small beside it, the offset of
+  /// their middles is nearly the direction between nearest points, and comes first.
+  CandidateAxes(const CornerFrame& a, const CornerFrame& b, bool apart);
 
   /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals, a first one. All else is
   /// fewer.
@@ -84,6 +84,11 @@ class CandidateAxes {
     if (i > 0 && !complete_) add_rest();
     return i * kLanes < count_ ? &batches_[i] : nullptr;
   }
+  /// Axis r, 0 ≤ r < kMost; zero from the last on.
+  Axis operator[](int r) {
+    const AxisBatch* const of_r = batch(r / kLanes);
+    return of_r != nullptr ? axis_of(*of_r, r % kLanes) : Axis{};
+  }
 
  private:
   void add(const Axis& l) {
@@ -93,8 +98,8 @@ class CandidateAxes {
   void add_rest();
 
   std::array<AxisBatch, (kMost + kLanes - 1) / kLanes> batches_{};
-  const CornerFrame &a_, &b_;
-  const Axis first_;
+  const CornerFrame a_, b_;
+  const bool apart_;
   int count_ = 0;
   bool complete_ = false;
 };

@@ -86,7 +86,6 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
                     children.values[c].data(), &coordinate_.extents[s][c]);
       coordinate_.extents[s][c].of = provenance(static_cast<int>(s), child, window_);
     }
-    shared_.made[s] = 0;
   }
   coarse_ = std::min(depths_[0], depths_[1]) < finest_;
   const int roundings = std::max(trees_[0].roundings(depths_[0]), trees_[1].roundings(depths_[1]));
@@ -96,15 +95,6 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
   const std::array<Axis, kLanes> axes = {pair.hint, whole[0].normal, whole[1].normal, Axis{}};
   for (size_t i = 0; i < kLanes; ++i) set_axis(shared_.axes, i, axes[i]);
   shared_.bounds = error_.for_axes(shared_.axes);
-}
-
-/// Gives children their extents on the shared axes.
-void PairSplit::make_extents(int side, unsigned children) {
-  for (unsigned left = children & ~shared_.made[side]; left != 0; left &= left - 1) {
-    const int c = std::countr_zero(left);
-    project(snapshot(side, c), shared_.axes, shared_.extents[side][c]);
-  }
-  shared_.made[side] |= children;
 }
 
 int PairSplit::split(const CellPair& pair, const std::array<unsigned, 2>& wanted,
@@ -117,11 +107,17 @@ int PairSplit::split(const CellPair& pair, const std::array<unsigned, 2>& wanted
   const unsigned all = pairs;
   pairs = test(coordinate_, all, observer);
   const unsigned after_coordinate = pairs;
+  unsigned left[2] = {0, 0};  // the children that these pairs have
   for (int a = 0; a < 4; ++a) {
     const unsigned row = (pairs >> (4 * a)) & 15;
-    if (row == 0) continue;
-    make_extents(0, 1U << a);
-    make_extents(1, row);
+    if (row != 0) left[0] |= 1U << a;
+    left[1] |= row;
+  }
+  for (int s = 0; s < 2; ++s) {
+    for (; left[s] != 0; left[s] &= left[s] - 1) {
+      const int c = std::countr_zero(left[s]);
+      project(snapshot(s, c), shared_.axes, shared_.extents[s][c]);
+    }
   }
   pairs = test(shared_, pairs, observer);
   tiers_.coordinate += after_coordinate != all;
@@ -192,37 +188,36 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
   Window& w = kept.window;
   const NetPair nets = {{trees_[0].net(kept.cells[0]), trees_[1].net(kept.cells[1])},
                         {trees_[0].count(), trees_[1].count()}};
-  Looked seen{window_, {snapshot(0, a), snapshot(1, b)}};
+  Window seen = window_;
+  std::array<Snapshot, 2> at_ends = {snapshot(0, a), snapshot(1, b)};
   const auto look_again = [&] {
-    if (seen.window.lo == w.lo && seen.window.hi == w.hi) return;
-    seen.window = w;
+    if (seen.lo == w.lo && seen.hi == w.hi) return;
+    seen = w;
     for (int s = 0; s < 2; ++s) {
       take_snapshot(nets.net[s], nets.count[s], w.lo, w.hi, values_[s].data());
       CCDFUZZ_ASSERT(!query_.weights[static_cast<size_t>(s)].empty() ||
                      values_[s][4] == nets.net[s][0] + w.hi * nets.net[s][4]);
-      seen.nets[s] = {values_[s].data(), nets.count[s], provenance(s, kept.cells[s], w)};
+      at_ends[s] = {values_[s].data(), nets.count[s], provenance(s, kept.cells[s], w)};
     }
   };
   look_again();
-  const bool apart = query_.separation > 0;
-  const double way = apart && std::min(depths_[0], depths_[1]) >= kStartLevel ? 0 : 0.5;
-  const CornerFrame frame_a(query_.shapes[0], seen.nets[0], way),
-      frame_b(query_.shapes[1], seen.nets[1], way);
-  const Axis offset = apart ? minus(frame_a.middle, frame_b.middle) : Axis{};
-  CandidateAxes candidates(frame_a, frame_b, offset);
+  const bool is_coarse = std::min(depths_[0], depths_[1]) < kStartLevel;
+  const double way = query_.separation == 0 || is_coarse ? 0.5 : 0;
+  CandidateAxes candidates({query_.shapes[0], at_ends[0], way}, {query_.shapes[1], at_ends[1], way},
+                           query_.separation > 0);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     look_again();
-    CCDFUZZ_ASSERT(!(seen.window.lo != w.lo || seen.window.hi != w.hi));
+    CCDFUZZ_ASSERT(!(seen.lo != w.lo || seen.hi != w.hi));
     const Bounds bounds = error_.for_axes(*batch);
     std::array<RangeBatch, 2> ranges;
     const SeparatingAxes separating =
-        project_and_compare(seen.nets[0], seen.nets[1], *batch, bounds, ranges);
+        project_and_compare(at_ends[0], at_ends[1], *batch, bounds, ranges);
     const auto gaps_on = [&](int k) { return Gaps(lane(ranges[0], k), lane(ranges[1], k)); };
     const auto observed = [&](int k) {
       return ObservedAxis{*observer, kFirstOwnAxis + i * kLanes + k, axis_of(*batch, k)};
     };
     for (int k = 0; k < kLanes && observer != nullptr; ++k) {
-      observed(k).compared(gaps_on(k), bounds.on[static_cast<size_t>(k)], seen.window);
+      observed(k).compared(gaps_on(k), bounds.on[static_cast<size_t>(k)], seen);
     }
     if (separating.throughout != 0) {
       ++tiers_.own;
@@ -232,7 +227,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
       const int k = std::countr_zero(ends);
       const double bound = bounds.on[static_cast<size_t>(k)];
       const Gaps gaps = gaps_on(k);
-      Window trimmed = seen.window;
+      Window trimmed = seen;
       trim_by_chord(gaps, bound, trimmed);
       ++tiers_.chord;
       if (newton_) {
@@ -245,7 +240,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
           }
         }
       }
-      if (observer != nullptr) observed(k).trimmed(gaps, bound, seen.window, trimmed);
+      if (observer != nullptr) observed(k).trimmed(gaps, bound, seen, trimmed);
       w = intersection(w, trimmed);
       kept.hint = axis_of(*batch, k);
       if (w.lo > w.hi) return drop_together(w);  // several axes together exclude all of it

@@ -90,13 +90,7 @@ class PairSplit {
     int first;       ///< number of the first axis
     AxisBatch axes;  ///< the last lane is none
     Bounds bounds;
-    RangeBatch extents[2][4];
-    unsigned made[2];  ///< the children whose extents are made
-  };
-  /// Both nets of a pair at the ends of a window.
-  struct Looked {
-    Window window;
-    Snapshot nets[2];
+    RangeBatch extents[2][4];  ///< of the children that are looked at
   };
 
   Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }
@@ -113,7 +107,6 @@ class PairSplit {
   }
 
   void prepare(const CellPair& pair, const std::array<unsigned, 2>& wanted);
-  void make_extents(int side, unsigned children);
   /// Drops pairs by Laws A and C.
   unsigned test(const SharedAxes& shared, unsigned pairs, ExclusionObserver* observer) const;
   /// Shortens w by Law B. Returns lo > hi where nothing is left.

@@ -58,18 +58,9 @@ Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r) {
   return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);
 }
 
-AxesApart::AxesApart(const std::array<Shape, 2>& shapes, const CellPoints& a, const CellPoints& b,
-                     double t)
-    : time_(t),
-      a_(corner_frame(shapes[0], a, t)),
-      b_(corner_frame(shapes[1], b, t)),
-      axes_(a_, b_, certified::minus(a_.middle, b_.middle)) {}
-
-Vec3<double> AxesApart::operator[](int r) {
-  const certified::AxisBatch* batch = axes_.batch(r / certified::kLanes);
-  if (batch == nullptr) return {0, 0, 0};
-  const certified::Axis l = certified::axis_of(*batch, r % certified::kLanes);
-  return {l[0], l[1], l[2]};
+certified::CandidateAxes axes_apart(const std::array<Shape, 2>& shapes, const CellPoints& a,
+                                    const CellPoints& b, double t) {
+  return {corner_frame(shapes[0], a, t), corner_frame(shapes[1], b, t), true};
 }
 
 }  // namespace ccdfuzz::exact_ccd

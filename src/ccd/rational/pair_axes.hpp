@@ -23,22 +23,7 @@ Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r);
 
 /// Candidate axes of two cells at one time where contact is a distance (DERIVATION.md, 3): those of
 /// tdibm-c, the offset of the middles first.
-class AxesApart {
- public:
-  static constexpr int kCount = certified::CandidateAxes::kMost;
-
-  AxesApart(const std::array<Shape, 2>& shapes, const CellPoints& a, const CellPoints& b, double t);
-  AxesApart(const AxesApart&) = delete;
-  AxesApart& operator=(const AxesApart&) = delete;
-
-  double time() const { return time_; }
-  /// Axis r, 0 ≤ r < kCount; zero from the last of these cells on.
-  Vec3<double> operator[](int r);
-
- private:
-  double time_;
-  certified::CornerFrame a_, b_;
-  certified::CandidateAxes axes_;  ///< of a_ and b_
-};
+certified::CandidateAxes axes_apart(const std::array<Shape, 2>& shapes, const CellPoints& a,
+                                    const CellPoints& b, double t);
 
 }  // namespace ccdfuzz::exact_ccd

@@ -30,7 +30,7 @@ const BoxDirections& PairTest::frame(int side, int part, double t) {
 }
 
 void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
-                    const ScaledWindow& before, Cut cut, const ScaledWindow& after) const {
+                    const Window& before, bool is_left, const Window& after) const {
   const auto exclude = [&](double lo, double hi, bool has_lo, bool has_hi) {
     // The lower side is the one with the lesser gap at the excluded end. The gaps of the two sides
     // add up to the widths of both cells on the axis, so they are not both negative.
@@ -42,15 +42,15 @@ void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& di
   };
   if (before.lo < after.lo) exclude(before.lo, after.lo, true, false);
   if (after.hi < before.hi) exclude(after.hi, before.hi, false, true);
-  if (cut == Cut::kAll) exclude(after.lo, after.hi, true, true);
+  if (!is_left) exclude(after.lo, after.hi, true, true);
 }
 
 std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window,
                                      ExclusionObserver* observer) {
-  ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
+  Window w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
   gap_.select(part_a, part_b);
   apart_.reset();
-  const int axes = is_apart_ ? AxesApart::kCount : kPairAxes;
+  const int axes = is_apart_ ? certified::CandidateAxes::kMost : kPairAxes;
   // Cycle through the axes until all in a row leave the window unchanged: an axis may separate at
   // an end that another has uncovered. The bound on the rounds only saves time: a longer window is
   // safe.
@@ -60,28 +60,24 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
     const int r = n % axes;
     // A round begins where those before it have moved the start: with other axes, all of which are
     // tried if it is far.
-    if (is_apart_ && r == 0 && !(apart_ && apart_->time() == w.lo)) {
-      if (apart_ && w.lo - apart_->time() >= kFar) unchanged = 0;
-      apart_.emplace(shapes_, gap_.points(0, part_a), gap_.points(1, part_b), w.lo);
+    if (is_apart_ && r == 0 && !(apart_ && apart_time_ == w.lo)) {
+      if (apart_ && w.lo - apart_time_ >= kFar) unchanged = 0;
+      apart_.emplace(axes_apart(shapes_, gap_.points(0, part_a), gap_.points(1, part_b), w.lo));
+      apart_time_ = w.lo;
     }
     ++unchanged;
     const Vec3<double> direction =
-        is_apart_ ? (*apart_)[r] : pair_axis(frame(0, part_a, w.lo), frame(1, part_b, w.lo), r);
+        is_apart_ ? Vec3<double>((*apart_)[r].data())
+                  : pair_axis(frame(0, part_a, w.lo), frame(1, part_b, w.lo), r);
     const std::optional<IntegerAxis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);
-    const ScaledWindow before = w;
-    const Cut cut = cut_window(gap_, w);
-    if (observer != nullptr) tell(*observer, r, *axis, before, cut, w);
-    switch (cut) {
-      case Cut::kAll:
-        return std::nullopt;
-      case Cut::kShorter:
-        unchanged = 1;  // this axis has just been tried on the new window
-        break;
-      case Cut::kNothing:
-        break;
-    }
+    const Window before = w;
+    const bool is_left = cut_window(gap_, w);
+    if (observer != nullptr) tell(*observer, r, *axis, before, is_left, w);
+    if (!is_left) return std::nullopt;
+    // This axis has just been tried on the new window.
+    if (w.lo != before.lo || w.hi != before.hi) unchanged = 1;
   }
   return Window{gap_.unscaled(w.lo), gap_.unscaled(w.hi)};
 }

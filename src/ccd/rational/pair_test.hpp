@@ -29,14 +29,15 @@ class PairTest {
   const BoxDirections& frame(int side, int part, double t);
   /// What cut_window did to a window with the axis that the gap is projected on.
   void tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
-            const ScaledWindow& before, Cut cut, const ScaledWindow& after) const;
+            const Window& before, bool is_left, const Window& after) const;
 
   Gap gap_;
   std::array<Shape, 2> shapes_;
   /// Frames of the prepared parts at the start of the first window tested.
   std::array<std::array<std::optional<BoxDirections>, 4>, 2> frames_;
-  /// Axes of the pair at hand, if the query has a separation.
-  std::optional<AxesApart> apart_;
+  /// Axes of the pair at hand at apart_time_, if the query has a separation.
+  std::optional<certified::CandidateAxes> apart_;
+  double apart_time_ = 0;
   bool is_apart_ = false;
   int axis_bits_ = 0;
 };

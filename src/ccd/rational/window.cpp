@@ -45,8 +45,7 @@ double certified_end(Gap& gap, int below, double from, double to, double gap_fro
 
 }  // namespace
 
-Cut cut_window(Gap& gap, ScaledWindow& window) {
-  const ScaledWindow before = window;
+bool cut_window(Gap& gap, Window& window) {
   Extremes at_lo = gap.extremes(window.lo);
   Extremes at_hi = window.lo == window.hi ? at_lo : gap.extremes(window.hi);
   for (int below = 0; below < 2; ++below) {
@@ -55,7 +54,7 @@ Cut cut_window(Gap& gap, ScaledWindow& window) {
     // Law R1: exact signs decide what is taken.
     const int sign_lo = gap.sign(below, window.lo, at_lo);
     const int sign_hi = window.lo == window.hi ? sign_lo : gap.sign(below, window.hi, at_hi);
-    if (sign_lo < 0 && sign_hi < 0) return Cut::kAll;  // Law R2
+    if (sign_lo < 0 && sign_hi < 0) return false;  // Law R2
     if (sign_lo < 0) {
       const double end = sign_hi == 0
                              ? window.hi
@@ -68,7 +67,7 @@ Cut cut_window(Gap& gap, ScaledWindow& window) {
       if (end != window.hi) at_hi = gap.extremes(window.hi = end);
     }
   }
-  return window.lo == before.lo && window.hi == before.hi ? Cut::kNothing : Cut::kShorter;
+  return true;
 }
 
 }  // namespace ccdfuzz::exact_ccd

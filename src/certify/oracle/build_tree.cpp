@@ -177,14 +177,11 @@ class Builder {
       if (try_axis(coordinate_axis(static_cast<int>(k)))) return leaf(*found);
     }
     const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
-    const CornerFrame a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
-    const Axis offset = query_.separation > 0 ? minus(a.middle, b.middle) : Axis{};
-    CandidateAxes candidates(a, b, offset);
-    for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const Axis l = axis_of(*batch, lane);
-        if (norm1(l) > 0 && try_axis(l)) return leaf(*found);
-      }
+    CandidateAxes candidates({trees_[0], pair.cells[0], middle}, {trees_[1], pair.cells[1], middle},
+                             query_.separation > 0);
+    for (int r = 0; r < CandidateAxes::kMost; ++r) {
+      const Axis l = candidates[r];
+      if (norm1(l) > 0 && try_axis(l)) return leaf(*found);
     }
 
     if (cut.length > 0) {
