@@ -4,11 +4,19 @@ add_library(ccdfuzz_flags INTERFACE)
 add_library(ccdfuzz::flags ALIAS ccdfuzz_flags)
 set_target_properties(ccdfuzz_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(ccdfuzz_flags INTERFACE cxx_std_20)
-target_compile_options(ccdfuzz_flags INTERFACE -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 16)
   message(FATAL_ERROR "clang ${CMAKE_CXX_COMPILER_VERSION} does not know enough of C++20; use clang 16 or newer, "
                       "such as Debian's clang++-19, or gcc 12")
 endif()
+# clang makes a comparison of doubles of one of bits, unless it hears that a thread may flush subnormals: a host may.
+set(ccdfuzz_fp_options -ffp-contract=off)
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-fdenormal-fp-math=dynamic CCDFUZZ_HEARS_OF_FLUSHING)
+if(CCDFUZZ_HEARS_OF_FLUSHING)
+  list(APPEND ccdfuzz_fp_options -fdenormal-fp-math=dynamic)
+endif()
+# Who uses an installed library compiles with flags of his own.
+target_compile_options(ccdfuzz_flags INTERFACE "$<BUILD_INTERFACE:${ccdfuzz_fp_options}>")
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 

@@ -12,7 +12,6 @@ else()
 endif()
 get_directory_property(ccdfuzz_directory_options COMPILE_OPTIONS)
 get_directory_property(CMAKE_REQUIRED_LINK_OPTIONS LINK_OPTIONS)
-get_target_property(ccdfuzz_base_options ccdfuzz_flags INTERFACE_COMPILE_OPTIONS)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/fp_probe.cpp ccdfuzz_fp_probe)
 
 foreach(config IN LISTS ccdfuzz_checked_configs)
@@ -20,7 +19,7 @@ foreach(config IN LISTS ccdfuzz_checked_configs)
   set(CMAKE_REQUIRED_FLAGS "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}}")
   list(JOIN ccdfuzz_directory_options " " options)
   string(APPEND CMAKE_REQUIRED_FLAGS " ${options}")
-  list(JOIN ccdfuzz_base_options " " options)
+  list(JOIN ccdfuzz_fp_options " " options)
   string(APPEND CMAKE_REQUIRED_FLAGS " ${options} -std=c++20")
   # The answer is cached, for these flags only.
   string(MD5 key "${CMAKE_REQUIRED_FLAGS} ${ccdfuzz_fp_probe}")
@@ -28,8 +27,8 @@ foreach(config IN LISTS ccdfuzz_checked_configs)
   if(NOT CCDFUZZ_FP_RULES_HOLD_${key})
     message(FATAL_ERROR
       "The compiler's flags (${CMAKE_REQUIRED_FLAGS}) break the floating-point rules that ccdfuzz "
-      "proves its bounds on: no contraction, no extended precision, no flush to zero, no "
-      "-ffast-math. Remove the offending flag; cmake/fp_probe.cpp says what is checked.")
+      "proves its bounds on: no contraction, no extended precision, no flush to zero, "
+      "bits compared as such, no -ffast-math. Remove the offending flag; cmake/fp_probe.cpp says what is checked.")
   endif()
 endforeach()
 unset(CMAKE_REQUIRED_FLAGS)
