@@ -7,10 +7,13 @@
 
 namespace ccdfuzz {
 
-/// One attempt at a case of the options, with its truth and without its origin, or why it was
-/// thrown away. eps_t: as in GeneratorOptions. Requires valid options.
-using Attempt = tl::expected<Case, Discard>(const GeneratorOptions& options, const Dyadic& eps_t,
-                                            Draw& draw);
+/// A case with its truth and without its origin, or why it was thrown away.
+using Attempted = tl::expected<Case, Discard>;
+/// One attempt at a case of the options. Requires valid options.
+using Attempt = Attempted(const GeneratorOptions& options, Draw& draw);
+
+/// eps_T, as GeneratorOptions say.
+Dyadic eps_t(const GeneratorOptions& options);
 
 /// shaped/shaped_case.cpp: two patches of any shapes.
 Attempt shaped_case;

@@ -38,7 +38,7 @@ WholeFrame draw_frame_in_plane(bool is_round, Draw& draw) {
           frame.axes[2] = flat();
           return frame;
         },
-        [](const WholeFrame& f) { return cross_of(f.axes[0], f.axes[2]) != Whole{}; });
+        [](const WholeFrame& f) { return cross(f.axes[0], f.axes[2]) != Whole{}; });
   }
   constexpr std::array<Whole, 4> kTriples = {{{1, 0, 1}, {3, 4, 5}, {5, 12, 13}, {8, 15, 17}}};
   auto [x, y, length] = draw.coin() ? kTriples[0] : draw.pick(kTriples);
@@ -57,7 +57,7 @@ WholeFrame draw_frame(bool is_round, Draw& draw) {
           for (Whole& axis : frame.axes) axis = any_whole(draw, 4);
           return frame;
         },
-        [](const WholeFrame& f) { return dot_of(cross_of(f.axes[0], f.axes[1]), f.axes[2]) != 0; });
+        [](const WholeFrame& f) { return dot(cross(f.axes[0], f.axes[1]), f.axes[2]) != 0; });
   }
   return draw_right_angles(draw);
 }
@@ -98,7 +98,7 @@ void add_feature(Feature feature, bool in_plane, FramedBody& body, Draw& draw) {
         const Whole first = flat();
         return std::pair(first, flat());
       },
-      [](const auto& p) { return cross_of(p.first, p.second)[2] != 0; });
+      [](const auto& p) { return cross(p.first, p.second)[2] != 0; });
   const Rational all(i + j + 1);
   body = {{a, b, -i * a + -j * b}, {Rational(i) / all, Rational(j) / all, 1 / all}};
 }
@@ -122,8 +122,8 @@ FramedBody draw_box(Feature feature, bool in_plane, Draw& draw) {
   for (const Whole& axis : axes) {
     if (axis == Whole{}) continue;  // a box in a plane has two
     const Whole along = axis[2] > 0 ? -1 * axis : axis;
-    const long before = axis[2] == 0 ? static_cast<long>(draw.integer(1, 4)) : 0;
-    const long after = static_cast<long>(draw.integer(1, 4));
+    const long before = axis[2] == 0 ? draw.integer(1, 4) : 0;
+    const long after = draw.integer(1, 4);
     const size_t count = body.points.size();
     for (size_t i = 0; i < count; ++i) {
       const Whole p = body.points[i];
@@ -166,9 +166,9 @@ bool is_proper(const FramedBody& body, bool in_plane) {
   bool is_flat = true;
   Whole normal{};
   for (size_t i = 2; i < p.size() && normal == Whole{}; ++i) {
-    normal = cross_of(from_first(1), from_first(i));
+    normal = cross(from_first(1), from_first(i));
   }
-  for (size_t i = 0; i < p.size(); ++i) is_flat = is_flat && dot_of(normal, from_first(i)) == 0;
+  for (size_t i = 0; i < p.size(); ++i) is_flat = is_flat && dot(normal, from_first(i)) == 0;
   return normal != Whole{} && is_flat == (in_plane || p.size() == 3);
 }
 
@@ -221,8 +221,7 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact) {
   return is_drawn[0] && is_drawn[1] && (is_more[0] || is_more[1]);
 }
 
-tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw) {
+Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   const std::array<Feature, 2> features = features_of(options.contact);
   const auto [bodies, frame, lift, radius] = draw.until(
       [&] { return draw_framed_pair(features, options.plane, draw); },
@@ -241,7 +240,7 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
   const bool is_far = draw.below(8) == 7;
   Whole place = draw_whole(options.plane, 16, draw);
   if (options.plane) std::swap(place[1], place[2]);  // it is not along the frame's axes
-  const int unit = static_cast<int>(draw.integer(-7, 0));
+  const int unit = draw.integer(-7, 0);
   if (is_far) place = (std::int64_t{1} << (draw.integer(10, 16) - unit - 5)) * place;
 
   Case out;
@@ -266,9 +265,9 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
   }
   const Dyadic t(Integer(static_cast<long>(eighths)), -3);
   witness.t = t.rational();
-  query.t_max = *t.to_double_exactly() * static_cast<double>(draw.integer(2, 4)) / 2;
+  query.t_max = *t.to_double_exactly() * draw.integer(2, 4) / 2.0;
   if (options.kind == CaseKind::kRP && exact(query.t_max) == witness.t) query.t_max *= 2;
-  if (options.kind == CaseKind::kRN) query.t_max = *(t - eps_t).to_double_exactly();
+  if (options.kind == CaseKind::kRN) query.t_max = *(t - eps_t(options)).to_double_exactly();
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
   const bool is_still = is_grazing(options.family) && approach == Whole{};
   if (is_still) return tl::unexpected(Discard::kFirstContact);
@@ -291,11 +290,10 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
   return out;
 }
 
-tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
-                                                const Dyadic& eps_t, Draw& draw) {
+Attempted grazing_bodies_case(const GeneratorOptions& options, Draw& draw) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
-  CCDFUZZ_TRY(Case made, framed_bodies(plain, eps_t, draw));
+  CCDFUZZ_TRY(Case made, framed_bodies(plain, draw));
   if (options.kind == CaseKind::kNMN) return just_missing(std::move(made), draw);
   made.truth = decide(made.query).truth;
   const auto& first = made.truth.witness;

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
-#include "generators/draw/draw.hpp"
-#include "generators/generate.hpp"
+#include "generators/attempts.hpp"
 
 namespace ccdfuzz {
 
@@ -27,8 +24,7 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 /// With options.plane all is in the plane z = 0, and the frame's second direction out of it. In the
 /// families that graze, the bodies move along the plane and stay on its two sides. Certificate K
 /// has the plane's normal then, and does not hold; in the others it was not checked yet.
-tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw);
+Attempted framed_bodies(const GeneratorOptions& options, Draw& draw);
 
 /// The class of a contact of bodies: what of each lies on its support plane of this normal, which
 /// is towards the second; 1 point, 2, or more.

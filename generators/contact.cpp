@@ -58,19 +58,18 @@ std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vecto
 
 }  // namespace
 
-std::vector<Dyadic> Contact::weights(int side) const {
-  const size_t s = static_cast<size_t>(side);
-  const std::vector<SmallDyadic> small = small_weights(*this, s);
-  if (!all_fit(small)) return weights_at(query.patches[s], uv[s]);
+std::vector<Dyadic> Contact::weights(size_t side) const {
+  const std::vector<SmallDyadic> small = small_weights(*this, side);
+  if (!all_fit(small)) return weights_at(query.patches[side], uv[side]);
   std::vector<Dyadic> weights;
   weights.reserve(small.size());
   for (const SmallDyadic& x : small) weights.push_back(x.dyadic());
   return weights;
 }
 
-Dyadic Contact::weight(int side) const {
+Dyadic Contact::weight(size_t side) const {
   Dyadic sum(1);
-  if (query.patches[static_cast<size_t>(side)].weights.empty()) return sum;
+  if (query.patches[side].weights.empty()) return sum;
   sum = Dyadic();
   for (const Dyadic& w : weights(side)) sum += w;
   return sum;
@@ -85,14 +84,13 @@ Vec3<Dyadic> Contact::offset() const {
   return out;
 }
 
-Vec3<Dyadic> Contact::point(int side) const {
-  const size_t s = static_cast<size_t>(side);
-  const MovingPatch<double>& patch = query.patches[s];
-  const auto small = weighted_sum(patch, small_weights(*this, s), SmallDyadic::of(t));
+Vec3<Dyadic> Contact::point(size_t side) const {
+  const MovingPatch<double>& patch = query.patches[side];
+  const auto small = weighted_sum(patch, small_weights(*this, side), SmallDyadic::of(t));
   if (small[0].fits() && small[1].fits() && small[2].fits()) {
     return {small[0].dyadic(), small[1].dyadic(), small[2].dyadic()};
   }
-  const auto sum = weighted_sum(patch, weights_at(patch, uv[s]), t);
+  const auto sum = weighted_sum(patch, weights_at(patch, uv[side]), t);
   return {sum[0], sum[1], sum[2]};
 }
 

@@ -22,11 +22,11 @@ struct Contact {
 
   /// The weights of patch `side`'s control points at the contact, of a rational patch its own times
   /// those of Bernstein.
-  std::vector<Dyadic> weights(int side) const;
+  std::vector<Dyadic> weights(size_t side) const;
   /// Their sum: 1 of a polynomial patch.
-  Dyadic weight(int side) const;
+  Dyadic weight(size_t side) const;
   /// The point of patch `side` that is in contact, times weight(side).
-  Vec3<Dyadic> point(int side) const;
+  Vec3<Dyadic> point(size_t side) const;
   /// From the point of patch 2 to that of patch 1, times both weights.
   Vec3<Dyadic> offset() const;
   /// The contact, as truths hold it.

@@ -89,16 +89,16 @@ Result<void> validate(const ContactRange& range) {
 }
 
 Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
-  const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
+  const long scale = choices.integer(range.lowest, range.highest);
   // Two directions of the contact plane, and one out of it.
   const Columns frame = draw_columns(choices, 2);
   Vec3<Dyadic> contact, common;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
-  const long common_exponent = static_cast<long>(choices.integer(-3, 12));
+  const long common_exponent = choices.integer(-3, 12);
   for (int k = 0; k < 3; ++k) common[k] = choices.dyadic(3, common_exponent);
   Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
   if (range.off_grid) {
-    const Dyadic off(Integer(static_cast<long>(choices.integer(-7, 7))), -43);
+    const Dyadic off(choices.integer(-7, 7), -43);
     t = abs(t + off);
   }
 

@@ -14,17 +14,17 @@ namespace ccdfuzz {
 Shape draw_shape(Draw& choices, int max_degree) {
   const std::uint64_t kind = choices.choose(3);
   if (kind == 0) return Shape::point();
-  const auto n = static_cast<int>(choices.integer(1, max_degree));
+  const int n = choices.integer(1, max_degree);
   if (kind == 1) return Shape::curve(n);
   if (kind == 2) return Shape::triangle(n);
-  const auto m = static_cast<int>(choices.integer(1, max_degree));
+  const int m = choices.integer(1, max_degree);
   return Shape::tensor(n, m);
 }
 
 Shape draw_surface(Draw& choices, int max_degree) {
-  const auto n = static_cast<int>(choices.integer(1, max_degree));
+  const int n = choices.integer(1, max_degree);
   if (!choices.coin()) return Shape::triangle(n);
-  return Shape::tensor(n, static_cast<int>(choices.integer(1, max_degree)));
+  return Shape::tensor(n, choices.integer(1, max_degree));
 }
 
 Vec3<double> draw_integers(Draw& choices, std::int64_t most) {
@@ -109,7 +109,7 @@ std::string text_of(const Dyadic& x) {
 double draw_base(Draw& choices) {
   if (!choices.coin()) return choices.finite_double();
   constexpr int kBits = 4;  // of the 53
-  const auto digits = static_cast<double>(choices.integer(1 << (kBits - 1), (1 << kBits) - 1));
+  const double digits = choices.integer(1 << (kBits - 1), (1 << kBits) - 1);
   const double x = std::ldexp(digits, 1024 - kBits - static_cast<int>(choices.choose(1)));
   return choices.coin() ? -x : x;
 }
@@ -118,7 +118,7 @@ double draw_base(Draw& choices) {
 long draw_unit(Draw& choices) {
   constexpr int kLowest = -1074, kHighest = 1024 - 8;
   const bool low = choices.coin();
-  return static_cast<long>(choices.integer(kLowest, low ? kLowest + 8 : kHighest));
+  return choices.integer(kLowest, low ? kLowest + 8 : kHighest);
 }
 
 /// Coordinates as they are hardest to bring to one magnitude. Along each axis they are all alike,
@@ -200,8 +200,8 @@ std::vector<double> draw_patch_weights(Draw& choices, std::size_t count) {
   std::vector<double> weights(count, 1);
   for (std::size_t i = 0; i < count; ++i) {
     double& w = weights[i];
-    if (kind == kPowers) w = std::ldexp(1.0, static_cast<int>(choices.integer(-3, 3)));
-    if (kind == kIntegers) w = static_cast<double>(choices.integer(1, 9));
+    if (kind == kPowers) w = std::ldexp(1.0, choices.integer(-3, 3));
+    if (kind == kIntegers) w = choices.integer(1, 9);
     if (kind == kManyBits) w = 1 + std::ldexp(static_cast<double>(choices.choose(1 << 30)), -31);
     if (kind == kCircle) w = i % 3 == 2 ? 2 : 1;
     if (kind == kRoundedCircle) w = i % 3 == 1 ? std::sqrt(0.5) : 1;

@@ -39,8 +39,7 @@ Loop draw_loop(Draw& choices, const Shape& shape, const Uv<double>& p) {
 }  // namespace
 
 Loop draw_loop_through(Draw& choices, const Shape& shape, const Uv<double>& p, bool is_vertex) {
-  const double du = static_cast<double>(choices.integer(-4, 4)),
-               dv = static_cast<double>(choices.integer(-4, 4));
+  const double du = choices.integer(-4, 4), dv = choices.integer(-4, 4);
   const int unit = -3 - static_cast<int>(choices.choose(8));
   const double to = std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);
   const double from = is_vertex ? 0 : std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_parts.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
@@ -14,9 +15,8 @@ namespace {
 /// as its bits allow.
 Case moved(const Case& base, int size, Vec3<double> Similarity::*part, Draw& draw) {
   constexpr int kFarthest = 40, kStep = 5, kBits = 4, kMost = (1 << kBits) - 1;
-  const auto between = [&](int lo, int hi) { return static_cast<int>(draw.integer(lo, hi)); };
-  if (between(0, 1) == 0) return base;
-  const int farthest = between(0, kFarthest);
+  if (draw.integer(0, 1) == 0) return base;
+  const int farthest = draw.integer(0, kFarthest);
   const Vec3<double> numbers = draw_integers(draw, kMost);
   for (int e = farthest; e >= 0; e -= kStep) {
     Similarity change;
@@ -29,9 +29,8 @@ Case moved(const Case& base, int size, Vec3<double> Similarity::*part, Draw& dra
 /// The case in other units of length, three times of four, and of time, one time of four.
 Case rescaled(const Case& base, Draw& draw) {
   Similarity change;
-  const auto between = [&](int lo, int hi) { return static_cast<int>(draw.integer(lo, hi)); };
-  if (between(0, 3) != 0) change.space = between(-1000, 900);
-  if (between(0, 3) == 3) change.time = between(-100, 100);
+  if (draw.integer(0, 3) != 0) change.space = draw.integer(-1000, 900);
+  if (draw.integer(0, 3) == 3) change.time = draw.integer(-100, 100);
   auto out = similar(base, change);
   return out ? *std::move(out) : base;
 }
@@ -46,9 +45,7 @@ int size_exponent(const Query& query) {
       for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(p[k] - first[k]));
     }
   }
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return exponent;
+  return parts_of(size).top();
 }
 
 Case elsewhere(const Case& base, Draw& draw) {

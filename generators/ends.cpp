@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/double_parts.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/shaped/shaped_case.hpp"
@@ -24,8 +25,7 @@ bool give_exact_ends(MovingPatch<double>& patch) {
 }  // namespace
 
 std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarity, 2>* changes) {
-  int size = 0;
-  std::frexp(query.patches[0].positions[0].cwiseAbs().maxCoeff(), &size);
+  const int size = parts_of(query.patches[0].positions[0].cwiseAbs().maxCoeff()).top();
   std::optional<Query> out = query;
   const auto change_by = [&](const Similarity& change, std::size_t i) {
     const std::optional<Query> moved = similar(*out, change);
@@ -36,7 +36,7 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
   };
   constexpr int kStep = 4, kLeast = 2;
   const Vec3<double> little = draw_integers(draw, 3);
-  int exponent = -static_cast<int>(draw.integer(30, 45));
+  int exponent = -draw.integer(30, 45);
   const auto by_little = [&] {
     const Vec3<double> shift = std::ldexp(1, size + exponent) * little;
     return change_by({shift, -shift}, 0);
@@ -46,7 +46,7 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
     if (exponent > -kLeast) return std::nullopt;
   }
   const Vec3<double> much = draw_integers(draw, 3);
-  exponent = static_cast<int>(draw.integer(5, 30));
+  exponent = draw.integer(5, 30);
   while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much}, 1)) {
     exponent -= kStep;
     if (exponent < kLeast) return std::nullopt;
@@ -54,10 +54,9 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
   return out;
 }
 
-tl::expected<Case, Discard> ends_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                      Draw& draw) {
+Attempted ends_case(const GeneratorOptions& options, Draw& draw) {
   const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  CCDFUZZ_TRY(Case made, plain_case(family, options, eps_t, draw));
+  CCDFUZZ_TRY(Case made, plain_case(family, options, draw));
   for (MovingPatch<double>& patch : made.query.patches) {
     if (!give_exact_ends(patch)) return tl::unexpected(Discard::kRoundTrip);
   }
@@ -65,11 +64,7 @@ tl::expected<Case, Discard> ends_case(const GeneratorOptions& options, const Dya
   const std::optional<Query> query = parted(made.query, draw, &changes);
   if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);
   for (const Similarity& change : changes) made = *similar(made, change);
-  const Dyadic before = *Dyadic::from(made.truth.witness->t) - eps_t;
-  if (options.kind == CaseKind::kRN && !end_before_contact(made, before)) {
-    return tl::unexpected(Discard::kRoundTrip);
-  }
-  return made;
+  return as_asked(std::move(made), options);
 }
 
 }  // namespace ccdfuzz

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "generators/differential.hpp"
-#include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -42,7 +42,7 @@ LocalPatch around_interior_point(const Barycentric& x, Draw& draw) {
   const auto make = [&] {
     LocalPatch part;
     const int first = draw.coin() ? 4 : 2;  // λ in eighths
-    const int second = static_cast<int>(draw.integer(1, 8 - first - 1));
+    const int second = draw.integer(1, 8 - first - 1);
     const std::array<int, 3> lambda = {first, second, 8 - first - second};
     const std::int64_t reach = random_reach(draw) / 4;
     std::array<Grid2, 3> d{};
@@ -67,7 +67,7 @@ LocalPatch around_interior_point(const Barycentric& x, Draw& draw) {
 LocalPatch around_edge_point(const Barycentric& x, Draw& draw) {
   const int k = corner_opposite(x), a = (k + 1) % 3, b = (k + 2) % 3;
   const std::int64_t reach = random_reach(draw);
-  const int bits = static_cast<int>(draw.integer(1, std::bit_width(std::uint64_t(reach)) - 1));
+  const int bits = draw.integer(1, static_cast<int>(std::bit_width(std::uint64_t(reach))) - 1);
   const std::int64_t steps = std::int64_t{1} << bits;
   const std::int64_t step = draw.integer(1, reach / steps);
   const std::int64_t j = draw.integer(1, steps - 1);

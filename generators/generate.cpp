@@ -38,6 +38,10 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 }  // namespace
 
+Dyadic eps_t(const GeneratorOptions& options) {
+  return {1, eps_t_exponent(options)};
+}
+
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   const auto classes = row_of(family).classes[static_cast<size_t>(kind)];
   return std::ranges::find(classes, contact) != classes.end();
@@ -122,18 +126,17 @@ std::optional<Scene> construct(const GeneratorOptions& options, Draw& draw) {
 
 /// One attempt at a case of two quadratic triangles, of the paper's construction or twins, or why
 /// it was thrown away.
-tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                           Draw& draw) {
+Attempted quadratic_case(const GeneratorOptions& options, Draw& draw) {
   std::optional<Scene> scene = construct(options, draw);
   if (!scene) return tl::unexpected(Discard::kStaticCheck);
   const bool near_miss = options.kind == CaseKind::kNMN;
-  if (near_miss) part(*scene, static_cast<int>(draw.integer(kLeastGap, kLargestGap)));
+  if (near_miss) part(*scene, draw.integer(kLeastGap, kLargestGap));
   const std::optional<Query> query = to_query(*scene);
   if (!query) return tl::unexpected(Discard::kRoundTrip);
   std::optional<Absence> clear;
   if (options.family == Family::kRegular) {
     if (!near_miss) {
-      clear = prove_first_contact(*scene, *query, scene->contact.t - eps_t,
+      clear = prove_first_contact(*scene, *query, scene->contact.t - eps_t(options),
                                   is_grazing(options.kind), options.proof_pops);
     } else if (miss_is_proven(*query, options.proof_pops)) {
       clear = Absence{scene->t_max, {}};
@@ -144,8 +147,7 @@ tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, cons
 }
 
 /// One attempt at a case of the family kAnywhere.
-tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw) {
+Attempted case_anywhere(const GeneratorOptions& options, Draw& draw) {
   if (!options.shapes && draw.coin()) {
     const Case base = planted_case(options.contact, draw);
     return elsewhere(base, draw);
@@ -158,7 +160,7 @@ tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const
                              return family != Family::kAnywhere && validate(base).has_value();
                            });
   const auto attempt = is_shaped(base) ? shaped_case : quadratic_case;
-  return attempt(base, eps_t, draw).map([&](const Case& made) { return elsewhere(made, draw); });
+  return attempt(base, draw).map([&](const Case& made) { return elsewhere(made, draw); });
 }
 
 Attempt* attempt_of(const GeneratorOptions& options) {
@@ -171,7 +173,6 @@ Attempt* attempt_of(const GeneratorOptions& options) {
 
 Generated generate(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_VERIFY(validate(options));
-  const Dyadic eps_t(1, eps_t_exponent(options));
   const auto attempt = attempt_of(options);
   Generated out;
   const auto made = draw.until(
@@ -182,7 +183,7 @@ Generated generate(const GeneratorOptions& options, Draw& draw) {
                                             *options.eps_t_exponent, kMaxAttempts));
         }
         ++out.discards.attempts;
-        tl::expected<Case, Discard> tried = attempt(options, eps_t, draw);
+        Attempted tried = attempt(options, draw);
         if (!tried) ++out.discards.discarded[static_cast<size_t>(tried.error())];
         return tried;
       },

@@ -24,7 +24,7 @@ bool step_along(const Vec3<double>& way, MovingPatch<double>& body, const Query&
 
 }  // namespace
 
-tl::expected<Case, Discard> just_missing(Case grazing, Draw& draw) {
+Attempted just_missing(Case grazing, Draw& draw) {
   const std::array<Rational, 3> normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
   Integer common = 0;
   for (const Rational& x : normal) common = gcd(common, x.get_num());

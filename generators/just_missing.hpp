@@ -1,9 +1,6 @@
 #pragma once
 
-#include <tl/expected.hpp>
-
-#include "generators/draw/draw.hpp"
-#include "generators/generate.hpp"
+#include "generators/attempts.hpp"
 
 namespace ccdfuzz {
 
@@ -13,6 +10,6 @@ namespace ccdfuzz {
 /// the largest coordinate, or more where a coordinate would be no float. Turns about the normal
 /// stay as they are. The truth is the oracle's. Thrown away is what has no step shorter than the
 /// largest coordinate, or is not proven to miss.
-tl::expected<Case, Discard> just_missing(Case grazing, Draw& draw);
+Attempted just_missing(Case grazing, Draw& draw);
 
 }  // namespace ccdfuzz

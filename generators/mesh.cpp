@@ -130,8 +130,7 @@ class MeshMaker {
     const int a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
     if (at(a) == at(b)) return;  // rounding took the edge's length
     const Vec3<double> opposite = at(a) + at(b) - at(c);
-    const Vec3<double> far =
-        at(c) + std::ldexp(1.0, static_cast<int>(draw_.integer(1, 6))) * (at(b) - at(a));
+    const Vec3<double> far = at(c) + std::ldexp(1.0, draw_.integer(1, 6)) * (at(b) - at(a));
     const std::uint64_t way = draw_.below(4);
     bool is_tried = false;  // where rounding takes its area, another is drawn
     const int third = third_corner(b, a, [&] {
@@ -159,11 +158,11 @@ class MeshMaker {
     const auto& points = other_.positions;
     const Vec3<double> last =
         *std::ranges::max_element(points, {}, [&](const Vec3<double>& p) { return beside.dot(p); });
-    const double gap = std::ldexp(unit_, -static_cast<int>(draw_.integer(0, 12)));
+    const double gap = std::ldexp(unit_, -draw_.integer(0, 12));
     const Vec3<double> near = last + (other_.radius + gap) * beside;
-    const auto share = [&] { return static_cast<double>(draw_.integer(-4, 8)) / 8; };
+    const auto share = [&] { return draw_.integer(-4, 8) / 8.0; };
     const double from = share(), middle = share();
-    const Vec3<double> ways = way_ * std::ldexp(1.0, static_cast<int>(draw_.integer(0, 4)));
+    const Vec3<double> ways = way_ * std::ldexp(1.0, draw_.integer(0, 4));
     const int a = added(near + from * way_), b = added(near + from * way_ + ways);
     faces().push_back({a, b, added(near + middle * way_ + 8 * unit_ * beside)});
   }
@@ -171,7 +170,7 @@ class MeshMaker {
   /// A face around a place where a point of the other body comes late.
   void add_wall() const {
     const Vec3<double> p = other_.positions[draw_.below(other_.positions.size())];
-    const Vec3<double> middle = p + t_max_ * static_cast<double>(draw_.integer(12, 14)) / 16 * way_;
+    const Vec3<double> middle = p + t_max_ * draw_.integer(12, 14) / 16.0 * way_;
     const auto step = [&]() -> Vec3<double> { return draw_integers(draw_, 8) * unit_; };
     const auto [a, b] = draw_.until(
         [&] {
@@ -223,17 +222,16 @@ bool is_hidden_by_a_graze(const Query& query, const Witness& first, size_t side,
 
 }  // namespace
 
-tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                      Draw& draw) {
+Attempted mesh_case(const GeneratorOptions& options, Draw& draw) {
   const bool has_fronts_alone = is_one_sided(options.family);
   const bool is_behind = has_fronts_alone && options.kind == CaseKind::kRN && draw.coin();
   GeneratorOptions plain = options;
   if (is_behind) plain.kind = CaseKind::kRP;
   if (!plain.bodies.empty()) plain.bodies.push_back({1, kMaxControls, RadiusRule::kZero});
   const size_t side = draw.below(2);
-  tl::expected<Case, Discard> made =
-      draw.until([&] { return framed_bodies(plain, eps_t, draw); },
-                 [&](const tl::expected<Case, Discard>& tried) {
+  Attempted made =
+      draw.until([&] { return framed_bodies(plain, draw); },
+                 [&](const Attempted& tried) {
                    if (!tried) return true;
                    const MovingPatch<double>& other = tried->query.patches[1 - side];
                    return tried->query.patches[side].radius == 0 &&

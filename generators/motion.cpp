@@ -10,7 +10,7 @@ namespace {
 constexpr int kMaxStiffness = 5;
 
 Points<Dyadic> deformation(const Barycentric& x, Draw& draw) {
-  const int stiffness = static_cast<int>(draw.integer(0, kMaxStiffness));
+  const int stiffness = draw.integer(0, kMaxStiffness);
   Points<Dyadic> rates;
   for (size_t i = 0; i < 6; ++i) rates.push_back(draw.vector(kSpeedBits - stiffness, kSpeedUnit));
   const Vec3<Dyadic> mean = weighted_sum(bernstein_weights(x), rates);

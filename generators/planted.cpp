@@ -18,10 +18,9 @@ constexpr long kPlantedUnit = -4;
 
 Shape any_surface(Draw& draw) {
   if (draw.coin()) return Shape::triangle(2);
-  const auto degree = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
-  if (draw.coin()) return Shape::triangle(degree(4));
-  const int n = degree(3);
-  return Shape::tensor(n, degree(3));
+  if (draw.coin()) return Shape::triangle(draw.integer(1, 4));
+  const int n = draw.integer(1, 3);
+  return Shape::tensor(n, draw.integer(1, 3));
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ Shape any_surface(Draw& draw) {
 Case planted_case(ContactClass contact, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   Scene scene;
-  scene.contact.t = Dyadic(Integer(static_cast<long>(draw.integer(1, 8))), -3);
+  scene.contact.t = Dyadic(draw.integer(1, 8), -3);
   scene.t_max = 1;
   Witness witness;
   witness.t = scene.contact.t.rational();

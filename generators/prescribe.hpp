@@ -18,11 +18,4 @@ ContactClass class_between(Feature a, Feature b);
 /// midpoint of an edge, or a corner.
 Barycentric prescribe_in_parent(Feature feature, Draw& draw);
 
-/// Step I of the one-sided family: any multiples of 2^-bits in the interior, on a random edge or at
-/// a random corner; bits ≥ 2.
-Barycentric prescribe_anywhere(Feature feature, int bits, Draw& draw);
-
-/// The feature that a point lies on.
-Feature feature_at(const Barycentric& x);
-
 }  // namespace ccdfuzz

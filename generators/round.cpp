@@ -142,7 +142,7 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
   const Whole common = draw.coin() ? Whole{} : kLength * any_whole(draw, 4);
   const Whole place = draw.coin() ? Whole{} : kLength * any_whole(draw, 16);
   const std::uint64_t mover = draw.below(2);
-  const int unit = static_cast<int>(draw.integer(-16, 0));
+  const int unit = draw.integer(-16, 0);
 
   Case out;
   Witness witness;
@@ -170,7 +170,7 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
     MovingPlane plane{witness.t, {}, 0};
     const Whole normal = -1 * frame.axes[2];
     for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
-    plane.offset = static_cast<long>(dot_of(normal, frame(place))) * power_of_two(unit);
+    plane.offset = static_cast<long>(dot(normal, frame(place))) * power_of_two(unit);
     CCDFUZZ_VERIFY(check_clearance(out.query, plane, ""));
     truth.clearance = plane;
     truth.clear_until = plane.until;
@@ -179,13 +179,9 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
   return out;
 }
 
-tl::expected<Case, Discard> round_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                       Draw& draw) {
-  Case out = draw_round_case(options.contact, options.family == Family::kApart, draw);
-  if (options.kind != CaseKind::kRN) return out;
-  const Dyadic before = *Dyadic::from(out.truth.witness->t) - eps_t;
-  if (!end_before_contact(out, before)) return tl::unexpected(Discard::kRoundTrip);
-  return out;
+Attempted round_case(const GeneratorOptions& options, Draw& draw) {
+  const bool apart = options.family == Family::kApart;
+  return as_asked(draw_round_case(options.contact, apart, draw), options);
 }
 
 }  // namespace ccdfuzz

@@ -37,15 +37,14 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
   return true;
 }
 
-tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                           Draw& draw) {
+Attempted separated_case(const GeneratorOptions& options, Draw& draw) {
   const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  CCDFUZZ_TRY(Case made, plain_case(family, options, eps_t, draw));
+  CCDFUZZ_TRY(Case made, plain_case(family, options, draw));
   const auto* plane = std::get_if<MovingPlane>(&*made.truth.clearance);
   CCDFUZZ_VERIFY(plane != nullptr);
   // From 2^-20 to 2^-8 of the size of the scene, as simulations keep meshes apart. The larger a
   // separation is, the more pairs of points are nearly as near as the nearest.
-  int exponent = size_exponent(made.query) - 1 - static_cast<int>(draw.integer(8, 20));
+  int exponent = size_exponent(made.query) - 1 - draw.integer(8, 20);
   Vec3<Dyadic> way;
   double longest = 0;
   for (int k = 0; k < 3; ++k) {

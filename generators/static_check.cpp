@@ -1,7 +1,7 @@
 #include "generators/static_check.hpp"
 
 #include "generators/differential.hpp"
-#include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 #include "generators/tangent_cone.hpp"
 #include "numeric/products.hpp"
 

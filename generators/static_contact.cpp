@@ -1,4 +1,5 @@
 #include "generators/static_contact.hpp"
+#include "generators/shaped/features.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
@@ -22,8 +23,8 @@ Plane random_plane(Draw& draw) {
       [&] {
         Vec3<Dyadic> normal;
         for (int k = 0; k < 3; ++k) {
-          const int sign = static_cast<int>(draw.integer(-1, 1));
-          normal[k] = Dyadic(sign, static_cast<long>(draw.integer(0, kMaxNormalExponent)));
+          const int sign = draw.integer(-1, 1);
+          normal[k] = Dyadic(sign, draw.integer(0, kMaxNormalExponent));
         }
         return normal;
       },

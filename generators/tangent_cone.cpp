@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "generators/differential.hpp"
-#include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {

@@ -49,7 +49,7 @@ Trim draw_sliver(Draw& draw, const Shape& shape, const Uv<double>& p) {
     return {loop};
   }
   Loop inner = loop;
-  const double share = std::ldexp(1, -static_cast<int>(draw.integer(2, 40)));
+  const double share = std::ldexp(1, -draw.integer(2, 40));
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     inner[2][k] += share * (p[k] - inner[2][k]);
   }
@@ -60,7 +60,6 @@ Trim draw_sliver(Draw& draw, const Shape& shape, const Uv<double>& p) {
 /// sliver.
 Trim draw_loops(Place place, Draw& draw, const Shape& shape, const Uv<double>& p) {
   const auto about = [&](int halvings) { return loop_about(shape, p, halvings); };
-  const auto halvings = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
   Trim trim;
   const auto add_hole_or_island = [&](const Loop& loop) {
     if (draw.coin()) trim.push_back(about(0));
@@ -69,7 +68,7 @@ Trim draw_loops(Place place, Draw& draw, const Shape& shape, const Uv<double>& p
   };
   switch (place) {
     case Place::kInside:
-      return {about(halvings(10))};
+      return {about(draw.integer(1, 10))};
     case Place::kOnEdge:
       return add_hole_or_island(draw_loop_through(draw, shape, p, false));
     case Place::kOnVertex:
@@ -84,13 +83,13 @@ Trim draw_loops(Place place, Draw& draw, const Shape& shape, const Uv<double>& p
       trim.push_back(draw_loop_through(draw, shape, p, draw.coin()));
       return trim;
     case Place::kOnIsland:
-      for (int i = 0, depth = 0; i < 3; ++i) trim.push_back(about(depth += halvings(3)));
+      for (int i = 0, depth = 0; i < 3; ++i) trim.push_back(about(depth += draw.integer(1, 3)));
       return trim;
     case Place::kInHole:
       break;
   }
   // At the rim of the domain a point is in no hole; there the region is somewhere else.
-  trim = {about(0), about(halvings(4))};
+  trim = {about(0), about(draw.integer(1, 4))};
   if (draw.coin()) trim = {draw_loop_through(draw, shape, trim[0][draw.below(3)], true)};
   return trim;
 }
@@ -122,7 +121,7 @@ Place trim_about(Contact& q, std::size_t side, const PickPlace& pick, Draw& draw
 /// double.
 bool touch_later(Contact& q, Draw& draw) {
   Contact later = q;
-  const int halvings = static_cast<int>(draw.integer(4, 9));
+  const int halvings = draw.integer(4, 9);
   later.t += Dyadic(Integer(1), -halvings);
   for (std::size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = q.query.patches[s];
@@ -152,9 +151,8 @@ bool touch_later(Contact& q, Draw& draw) {
 
 }  // namespace
 
-tl::expected<Case, Discard> trimmed_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                         Draw& draw) {
-  CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, eps_t, draw));
+Attempted trimmed_case(const GeneratorOptions& options, Draw& draw) {
+  CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, draw));
   Contact q = *contact_of(regular);
   const auto is_surface = [&](std::size_t s) {
     return q.query.patches[s].shape.parameter_count() == 2;

@@ -23,7 +23,7 @@ Vec3<double> draw_axis(bool in_plane, double most, Draw& draw) {
   return draw.until(
       [&] {
         const auto part = [&] {
-          return static_cast<double>(draw.integer(1 - kEighths, kEighths - 1)) / kEighths;
+          return draw.integer(1 - kEighths, kEighths - 1) / double{kEighths};
         };
         const double z = part();
         if (in_plane) return Vec3<double>(0, 0, z);
@@ -50,7 +50,7 @@ Vec3<double> draw_centre(const Points<double>& points, bool in_plane, Draw& draw
   Vec3<double> centre = points[draw.below(points.size())];
   if (points.size() > 1) return (centre + points[draw.below(points.size())]) / 2;
   for (int k = 0; k < (in_plane ? 2 : 3); ++k) {
-    centre[k] += static_cast<double>(draw.integer(-2, 2));
+    centre[k] += draw.integer(-2, 2);
   }
   return centre;
 }
@@ -83,11 +83,10 @@ void turn_along_plane(Case& made, size_t side, double t, bool spins, Draw& draw)
 /// Bodies that do not turn and touch at t* < 1, until a time after that. Then change(case, side, t)
 /// of one of them, or of both.
 template <class Change>
-tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, const Dyadic& eps_t,
-                                              Draw& draw, const Change& change) {
+Attempted bodies_before_one(const GeneratorOptions& options, Draw& draw, const Change& change) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
-  CCDFUZZ_TRY(Case made, framed_bodies(plain, eps_t, draw));
+  CCDFUZZ_TRY(Case made, framed_bodies(plain, draw));
   Query& query = made.query;
   Rational& t = made.truth.witness->t;
   if (t == 1) {  // twice as fast
@@ -120,8 +119,7 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
   }
 }
 
-tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                         Draw& draw) {
+Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
   const auto change = [&](Case& made, size_t side, double t) {
     const bool spins = options.family == Family::kSpinningGrazing;
     if (is_grazing(options.family)) return turn_along_plane(made, side, t, spins, draw);
@@ -130,33 +128,31 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
     const Vec3<double> axis = draw_axis(options.plane, 0.8, draw);
     body.turn = turn_about((draw.coin() ? 1 : 0.5) * axis, centre, t, options.plane);
   };
-  CCDFUZZ_TRY(Case out, bodies_before_one(options, eps_t, draw, change));
+  CCDFUZZ_TRY(Case out, bodies_before_one(options, draw, change));
   if (options.kind == CaseKind::kNMN) return just_missing(std::move(out), draw);
   const Query& query = out.query;
   const Witness witness = *out.truth.witness;
   OracleOptions limits;
   limits.known = witness;
   if (is_grazing(options.family)) {
-    limits.wanted_clear = witness.t - eps_t.rational();
+    limits.wanted_clear = witness.t - eps_t(options).rational();
     limits.max_pops = 100;  // most take 10 to 60; what touches before takes all that there are
   }
   out.truth = decide(query, limits).truth;
   const auto& found = out.truth.witness;
   const bool is_first = found && found->t == witness.t && out.truth.clear_until &&
-                        witness.t - *out.truth.clear_until <= eps_t.rational();
+                        witness.t - *out.truth.clear_until <= eps_t(options).rational();
   if (!is_first) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return out;
-  say_clear(out, round_down(witness.t) - *eps_t.to_double_exactly());
+  say_clear(out, round_down(witness.t) - *eps_t(options).to_double_exactly());
   CCDFUZZ_VERIFY(covers(*out.truth.clearance, exact(query.t_max)));
   return out;
 }
 
-tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw) {
-  tl::expected<Case, Discard> made =
-      bodies_before_one(options, eps_t, draw, [&](Case& touching, size_t side, double t) {
-        spin_back(touching.query.patches[side], t, options.plane, draw);
-      });
+Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
+  Attempted made = bodies_before_one(options, draw, [&](Case& touching, size_t side, double t) {
+    spin_back(touching.query.patches[side], t, options.plane, draw);
+  });
   if (!made) return made;
   const Rational t = made->truth.witness->t;
   made->truth = decide(made->query).truth;
@@ -164,10 +160,10 @@ tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const
   constexpr long kNearBits = 10;
   const bool is_near = truth.witness && truth.clear_until &&
                        abs(truth.witness->t - t) <= power_of_two(-kNearBits) &&
-                       truth.witness->t - *truth.clear_until <= eps_t.rational();
+                       truth.witness->t - *truth.clear_until <= eps_t(options).rational();
   if (!is_near) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return made;
-  const Rational step = eps_t.rational();
+  const Rational step = eps_t(options).rational();
   say_clear(*made, round_down(rounded_down(*truth.clear_until, step) - step));
   CCDFUZZ_VERIFY(covers(*truth.clearance, exact(made->query.t_max)));
   return made;

@@ -4,6 +4,7 @@
 #include "generators/exact_sum.hpp"
 #include "generators/frame.hpp"
 #include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -21,15 +22,9 @@ Dyadic ulp(const Dyadic& x) {
 /// The corner whose two mid controls are the twins. The contact's own controls are fast, but for a
 /// contact inside the patch, where all are its own.
 int twin_corner(const Barycentric& x, Draw& draw) {
-  switch (feature_at(x)) {
-    case Feature::kFace:
-      return static_cast<int>(draw.below(3));
-    case Feature::kEdge:
-      return corner_opposite(x);
-    case Feature::kCorner:
-      return corner_of(x);
-  }
-  return 0;
+  const Feature feature = feature_at(x);
+  if (feature == Feature::kFace) return draw.integer(0, 2);
+  return feature == Feature::kEdge ? corner_opposite(x) : corner_of(x);
 }
 
 Role role_of(int a, int b, int twin_corner, bool corner_is_fast) {
@@ -42,31 +37,22 @@ Role role_of(int a, int b, int twin_corner, bool corner_is_fast) {
 //   slow   −1 + [0, .1]·s       twin   −[1, 1.25] + [.2, .5]·s       fast   [2, 4]·s
 // The fast one overtakes the slow ones at s = −1/[1.9, 4] > −t*. The twins are below both then.
 // Patch 2's line [8, 16]·s crosses the slow ones at s ≈ −1/8, and the fast one at s = 0.
-constexpr long kGapUnit = -4;
-constexpr long kStep = kGapUnit - 6;
+constexpr long kStep = -10;
+struct MotionRange {
+  std::array<int, 2> height, speed;  ///< in multiples of 2^kStep
+};
+constexpr std::array<MotionRange, 3> kMotions = {
+    {{{-64, -64}, {0, 6}}, {{-80, -64}, {13, 32}}, {{0, 0}, {128, 256}}}};
 
 struct NormalMotion {
   Dyadic height, speed;
 };
 
 NormalMotion normal_motion(Role role, Draw& draw) {
-  const auto steps = [&draw](int lo, int hi) {
-    return Dyadic(Integer(static_cast<long>(draw.integer(lo, hi))), kStep);
-  };
+  const auto& [height, speed] = kMotions[static_cast<size_t>(role)];
   NormalMotion motion;
-  switch (role) {
-    case Role::kSlow:
-      motion.height = Dyadic(-1, kGapUnit);
-      motion.speed = steps(0, 6);
-      break;
-    case Role::kTwin:
-      motion.height = steps(-80, -64);
-      motion.speed = steps(13, 32);
-      break;
-    case Role::kFast:
-      motion.speed = steps(128, 256);
-      break;
-  }
+  motion.height = Dyadic(draw.integer(height[0], height[1]), kStep);
+  motion.speed = Dyadic(draw.integer(speed[0], speed[1]), kStep);
   return motion;
 }
 
@@ -78,12 +64,12 @@ void nudge(Vec3<Dyadic>& position, Vec3<Dyadic>& velocity, const Dyadic& t, bool
     const Dyadic coarser = std::max(ulp(position[k]), ulp(velocity[k]));
     if (in_contact) {
       // t is a multiple of 1/2 then, so both changes are whole ulps.
-      const Dyadic change = coarser * Dyadic(2 * static_cast<int>(draw.integer(-1, 1)));
+      const Dyadic change = coarser * Dyadic(2 * draw.integer(-1, 1));
       velocity[k] += change;
       position[k] -= change * t;
     } else {
-      velocity[k] += ulp(velocity[k]) * Dyadic(static_cast<int>(draw.integer(-4, 4)));
-      position[k] += ulp(position[k]) * Dyadic(static_cast<int>(draw.integer(-4, 4)));
+      velocity[k] += ulp(velocity[k]) * Dyadic(draw.integer(-4, 4));
+      position[k] += ulp(position[k]) * Dyadic(draw.integer(-4, 4));
     }
   }
 }
@@ -116,7 +102,7 @@ MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, co
 MovingPatch<Dyadic> sweeping_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
                                    const Vec3<Dyadic>& contact, Draw& draw) {
   const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, draw);
-  const Dyadic speed(Integer(static_cast<long>(draw.integer(512, 1024))), kStep);
+  const Dyadic speed(draw.integer(512, 1024), kStep);
   MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
   for (size_t i = 0; i < 6; ++i) {
     patch.velocities[i] = frame.out * speed;
@@ -135,7 +121,7 @@ Scene twin_scene(ContactClass contact, Draw& draw) {
   scene.normal = frame.normal;
   // Late enough for all crossings above to come after 0.
   const bool halves_only = features[0] == Feature::kFace;
-  scene.contact.t = halves_only ? Dyadic(1, -1) : Dyadic(static_cast<int>(draw.integer(5, 7)), -3);
+  scene.contact.t = halves_only ? Dyadic(1, -1) : Dyadic(draw.integer(5, 7), -3);
   for (size_t s = 0; s < 2; ++s) scene.contact.x[s] = prescribe_in_parent(features[s], draw);
   scene.patches[0] = twin_patch(frame, scene.contact.x[0], scene.contact.t, draw);
   const Vec3<Dyadic> point =

@@ -67,12 +67,12 @@ std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
 
 std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most) {
   std::vector<int> exponents(count);
-  for (int& e : exponents) e = static_cast<int>(draw.integer(-most, most));
+  for (int& e : exponents) e = draw.integer(-most, most);
   return exponents;
 }
 
-bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+bool pull_by_weights(Contact& q, size_t side, const std::vector<int>& exponents) {
+  MovingPatch<double>& patch = q.query.patches[side];
   const auto contact = divided(q.point(side), q.weight(side));
   if (!contact) return false;
   if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
@@ -92,9 +92,9 @@ bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
   return are_weights(patch.weights);
 }
 
-void draw_free_weights(Draw& draw, Contact& q, std::size_t side) {
+void draw_free_weights(Draw& draw, Contact& q, size_t side) {
   MovingPatch<double>& patch = q.query.patches[side];
-  const std::vector<Dyadic> at_contact = q.weights(static_cast<int>(side));
+  const std::vector<Dyadic> at_contact = q.weights(side);
   const std::vector<double> weights = draw_patch_weights(draw, patch.weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (at_contact[i].sign() == 0) patch.weights[i] = weights[i];
@@ -112,7 +112,7 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
     patch.shape = shapes[s];
     const auto count = static_cast<std::size_t>(patch.shape.control_count());
     if (draw.choose(3) != 3) patch.weights = draw_patch_weights(draw, count);
-    const Points<Dyadic> places = draw_balanced(draw, q.weights(static_cast<int>(s)));
+    const Points<Dyadic> places = draw_balanced(draw, q.weights(s));
     Points<Dyadic> positions(count), velocities(count);
     for (std::size_t i = 0; i < count; ++i) {
       velocities[i] = draw.vector(4, -2);
@@ -127,8 +127,7 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
   return q;
 }
 
-tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Draw& draw) {
+Attempted weighted_case(const GeneratorOptions& options, Draw& draw) {
   std::optional<Contact> q;
   Case out;
   if (options.kind == CaseKind::kRP && draw.coin()) {
@@ -142,13 +141,12 @@ tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const
     q = draw_balanced_contact(draw, shapes, uv);
     if (q) out = case_of(*q);
   } else {
-    CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, eps_t, draw));
+    CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, draw));
     q = contact_of(regular);
     for (std::size_t s = 0; s < 2 && q; ++s) {
       const auto exponents = draw_exponents(draw, q->query.patches[s].positions.size(), 3);
       if (exponents.size() == 1) continue;
-      if (!pull_by_weights(*q, static_cast<int>(s), exponents))
-        return tl::unexpected(Discard::kRoundTrip);
+      if (!pull_by_weights(*q, s, exponents)) return tl::unexpected(Discard::kRoundTrip);
       draw_free_weights(draw, *q, s);
     }
     out = regular;
@@ -157,10 +155,7 @@ tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const
   if (!q || !is_rational(q->query) || !is_valid(q->query)) {
     return tl::unexpected(Discard::kRoundTrip);
   }
-  if (options.kind == CaseKind::kRN && !end_before_contact(out, q->t - eps_t)) {
-    return tl::unexpected(Discard::kRoundTrip);
-  }
-  return out;
+  return as_asked(std::move(out), options);
 }
 
 }  // namespace ccdfuzz

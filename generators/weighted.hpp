@@ -19,11 +19,11 @@ std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most);
 /// Multiplies control point i's weight by 2^exponents[i], and divides the way from the contact to
 /// the control point at that time by the same. So the contact stays, and so does a plane through it
 /// that the patch is on one side of. Returns false if a number is not a double; q is then void.
-bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents);
+bool pull_by_weights(Contact& q, size_t side, const std::vector<int>& exponents);
 
 /// Weights of any kind (draw_patch_weights) for the control points of a rational patch that have no
 /// share in the contact.
-void draw_free_weights(Draw& draw, Contact& q, std::size_t side);
+void draw_free_weights(Draw& draw, Contact& q, size_t side);
 
 /// A contact at these parameters. Most patches have weights of any kind, and control points in
 /// pairs, of which each makes up for the other. nullopt if a number is not a double.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "generators/draw/draw.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -17,12 +18,6 @@ inline Whole operator+(const Whole& a, const Whole& b) {
 }
 inline Whole operator*(std::int64_t k, const Whole& a) {
   return {k * a[0], k * a[1], k * a[2]};
-}
-inline Whole cross_of(const Whole& a, const Whole& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline std::int64_t dot_of(const Whole& a, const Whole& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 inline Whole any_whole(Draw& draw, std::int64_t most) {
   Whole out{};
@@ -50,8 +45,8 @@ struct WholeFrame {
   }
   /// At right angles to the first two, towards the third.
   Whole normal() const {
-    const Whole n = length != 0 ? axes[2] : cross_of(axes[0], axes[1]);
-    return dot_of(n, axes[2]) < 0 ? -1 * n : n;
+    const Whole n = length != 0 ? axes[2] : cross(axes[0], axes[1]);
+    return dot(n, axes[2]) < 0 ? -1 * n : n;
   }
 };
 

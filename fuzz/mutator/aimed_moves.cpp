@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/double_parts.hpp"
+#include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
@@ -36,16 +38,8 @@ double on_lattice(double x, int unit) {
   return std::ldexp(std::nearbyint(std::ldexp(x, -unit)), unit);
 }
 
-bool is_finite(const Query& query) {
-  bool all = true;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double x) { all = all && std::isfinite(x); });
-  }
-  return all;
-}
-
 bool made_whole(Contact& q, Draw& draw) {
-  return is_finite(q.query) && repair(q, draw);
+  return are_all(q.query, is_finite) && repair(q, draw);
 }
 
 }  // namespace
@@ -136,7 +130,7 @@ bool stop_motion(Contact& q, Draw& draw) {
 
 bool stretch(Contact& q, Draw& draw) {
   Vec3<double>& p = any_point(any_field(draw)(any_patch(q, draw)), draw);
-  const int exponent = static_cast<int>(draw.integer(-40, 20));
+  const int exponent = draw.integer(-40, 20);
   const bool one_axis_only = draw.coin();
   const int axis = any_axis(draw);
   for (int k = 0; k < 3; ++k) {

@@ -10,43 +10,44 @@ namespace ccdfuzz {
 
 namespace {
 
+/// Writes numbers.
 class ByteWriter {
  public:
-  void byte(int x) { bytes_.push_back(static_cast<std::uint8_t>(x)); }
+  void byte(int x) {
+    fits_ = fits_ && 0 <= x && x < 256;
+    bytes_.push_back(static_cast<std::uint8_t>(x));
+  }
   void real(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     for (int i = 0; i < 64; i += 8) bytes_.push_back(static_cast<std::uint8_t>(bits >> i));
   }
-  /// False if x is no double.
-  bool exact(const Dyadic& x) {
-    const std::optional<double> value = x.to_double_exactly();
-    real(value.value_or(0));
-    return value.has_value();
+  /// nullopt if something was no byte.
+  std::optional<std::vector<std::uint8_t>> take() {
+    return fits_ ? std::optional(std::move(bytes_)) : std::nullopt;
   }
-  std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:
   std::vector<std::uint8_t> bytes_;
+  bool fits_ = true;
 };
 
-/// Gives zeros after the end; ended() tells.
+/// Reads numbers: zeros after the end, of which ended() tells.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
 
-  int byte() {
-    if (left_.empty()) {
-      ended_ = true;
-      return 0;
-    }
-    const int x = left_.front();
-    left_ = left_.subspan(1);
-    return x;
+  void byte(int& x) {
+    ended_ = ended_ || left_.empty();
+    x = left_.empty() ? 0 : left_.front();
+    left_ = left_.subspan(left_.empty() ? 0 : 1);
   }
-  double real() {
+  void real(double& x) {
     std::uint64_t bits = 0;
-    for (int i = 0; i < 64; i += 8) bits |= static_cast<std::uint64_t>(byte()) << i;
-    return std::bit_cast<double>(bits);
+    for (int i = 0, next = 0; i < 64; i += 8) {
+      byte(next);
+      bits |= static_cast<std::uint64_t>(next) << i;
+    }
+    x = std::bit_cast<double>(bits);
   }
   bool ended() const { return ended_; }
 
@@ -60,55 +61,73 @@ class ByteReader {
 constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds, kHasWeights = 4 * kKinds,
               kHasTrim = 8 * kKinds;
 
-/// The contents of the bytes: a valid query, and numbers that may be those of a contact.
+int kind_of(const Query& query, size_t side) {
+  const MovingPatch<double>& patch = query.patches[side];
+  return static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
+         (side == 0 && query.separation > 0 ? kHasSeparation : 0) |
+         (patch.weights.empty() ? 0 : kHasWeights) | (patch.trim.empty() ? 0 : kHasTrim);
+}
+
+/// The contents of the bytes: a query, and numbers that may be those of a contact.
 struct CaseParts {
+  int method = 0;
   Query query;
   double t = 0;
   std::array<Uv<double>, 2> uv;
 };
 
-std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
-  ByteReader in(bytes);
-  in.byte();  // the method
-  CaseParts parts;
-  std::array<bool, 2> has_ends{}, has_trim{};
-  bool has_separation = false;
-  for (MovingPatch<double>& patch : parts.query.patches) {
-    const int kind = in.byte();
-    patch.shape.kind = static_cast<ShapeKind>(kind % kKinds);
-    const bool is_first = &patch == &parts.query.patches[0];
-    has_ends[is_first ? 0 : 1] = (kind & kHasEnds) != 0;
-    has_trim[is_first ? 0 : 1] = (kind & kHasTrim) != 0;
-    has_separation = is_first ? (kind & kHasSeparation) != 0 : has_separation;
-    patch.shape.n = in.byte();
-    patch.shape.m = in.byte();
-    if (!patch.shape.valid()) return std::nullopt;
-    if ((kind & kHasWeights) != 0) {
-      patch.weights.resize(static_cast<size_t>(patch.shape.control_count()));
-    }
+template <class Bytes, class Items>
+void pass_size(Bytes& bytes, Items& items) {
+  auto size = static_cast<int>(items.size());
+  bytes.byte(size);
+  items.resize(static_cast<size_t>(size));
+}
+
+/// Writes the contents, or reads them. False if a shape is none.
+template <class Bytes>
+bool pass(Bytes& bytes, CaseParts& parts) {
+  auto& [method, query, t, uv] = parts;
+  bytes.byte(method);
+  std::array<int, 2> kinds = {kind_of(query, 0), kind_of(query, 1)};
+  for (size_t s = 0; s < 2; ++s) {
+    Shape& shape = query.patches[s].shape;
+    bytes.byte(kinds[s]);
+    bytes.byte(shape.n);
+    bytes.byte(shape.m);
+    shape.kind = static_cast<ShapeKind>(kinds[s] % kKinds);
+    if (!shape.valid()) return false;
   }
-  parts.query.t_max = in.real();
-  if (has_separation) parts.query.separation = in.real();
-  parts.t = in.real();
-  for (Uv<double>& uv : parts.uv) {
-    for (double& x : uv) x = in.real();
+  bytes.real(query.t_max);
+  if ((kinds[0] & kHasSeparation) != 0) bytes.real(query.separation);
+  bytes.real(t);
+  for (Uv<double>& at : uv) {
+    for (double& x : at) bytes.real(x);
   }
   for (size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = parts.query.patches[s];
+    MovingPatch<double>& patch = query.patches[s];
     const auto count = static_cast<size_t>(patch.shape.control_count());
     patch.positions.resize(count);
-    (has_ends[s] ? patch.ends : patch.velocities).resize(count);
-    for_each_coordinate(patch, [&](double& x) { x = in.real(); });
-    for (double& w : patch.weights) w = in.real();
-    if (has_trim[s]) patch.trim.resize(static_cast<size_t>(in.byte()));
+    ((kinds[s] & kHasEnds) != 0 ? patch.ends : patch.velocities).resize(count);
+    patch.weights.resize((kinds[s] & kHasWeights) != 0 ? count : 0);
+    for_each_coordinate(patch, [&](double& x) { bytes.real(x); });
+    for (double& w : patch.weights) bytes.real(w);
+    if ((kinds[s] & kHasTrim) == 0) continue;
+    pass_size(bytes, patch.trim);
     for (auto& loop : patch.trim) {
-      loop.resize(static_cast<size_t>(in.byte()));
+      pass_size(bytes, loop);
       for (Uv<double>& vertex : loop) {
-        for (double& x : vertex) x = in.real();
+        for (double& x : vertex) bytes.real(x);
       }
     }
   }
-  if (in.ended() || !validate(parts.query, "query")) return std::nullopt;
+  return true;
+}
+
+/// Their parts, where these are a valid query.
+std::optional<CaseParts> case_parts_of(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  CaseParts parts;
+  if (!pass(in, parts) || in.ended() || !validate(parts.query, "query")) return std::nullopt;
   return parts;
 }
 
@@ -116,37 +135,16 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
 
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method) {
   if (has_turns(q.query) || has_mesh(q.query)) return std::nullopt;
+  const auto t = q.t.to_double_exactly();
+  if (!t) return std::nullopt;
+  CaseParts parts{method, q.query, *t, {}};
+  for (size_t s = 0; s < 2; ++s) {
+    const auto u = q.uv[s][0].to_double_exactly(), v = q.uv[s][1].to_double_exactly();
+    if (!u || !v) return std::nullopt;
+    parts.uv[s] = {*u, *v};
+  }
   ByteWriter out;
-  out.byte(method);
-  for (const MovingPatch<double>& patch : q.query.patches) {
-    const bool separates = &patch == &q.query.patches[0] && q.query.separation > 0;
-    out.byte(static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
-             (separates ? kHasSeparation : 0) | (patch.weights.empty() ? 0 : kHasWeights) |
-             (patch.trim.empty() ? 0 : kHasTrim));
-    out.byte(patch.shape.n);
-    out.byte(patch.shape.m);
-  }
-  out.real(q.query.t_max);
-  if (q.query.separation > 0) out.real(q.query.separation);
-  bool exact = out.exact(q.t);
-  for (const Uv<Dyadic>& uv : q.uv) {
-    for (const Dyadic& x : uv) exact = out.exact(x) && exact;
-  }
-  if (!exact) return std::nullopt;
-  for (const MovingPatch<double>& patch : q.query.patches) {
-    for_each_coordinate(patch, [&](double x) { out.real(x); });
-    for (const double w : patch.weights) out.real(w);
-    if (patch.trim.empty()) continue;
-    constexpr size_t kMost = 255;
-    exact = exact && patch.trim.size() <= kMost;
-    out.byte(static_cast<int>(patch.trim.size()));
-    for (const auto& loop : patch.trim) {
-      exact = exact && loop.size() <= kMost;
-      out.byte(static_cast<int>(loop.size()));
-      for (const auto& [u, v] : loop) out.real(u), out.real(v);
-    }
-  }
-  if (!exact) return std::nullopt;
+  if (!pass(out, parts)) return std::nullopt;
   return out.take();
 }
 
@@ -155,7 +153,7 @@ std::uint8_t method_number(std::span<const std::uint8_t> bytes) {
 }
 
 std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes, QueryRange range) {
-  std::optional<CaseParts> parts = parts_of(bytes);
+  std::optional<CaseParts> parts = case_parts_of(bytes);
   const bool is_plain = parts && !has_ends(parts->query) && parts->query.separation == 0 &&
                         !is_trimmed(parts->query) && parts->query.patches[0].weights.empty() &&
                         parts->query.patches[1].weights.empty();
@@ -177,7 +175,7 @@ std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes, Que
 }
 
 std::optional<Query> query_of(std::span<const std::uint8_t> bytes) {
-  std::optional<CaseParts> parts = parts_of(bytes);
+  std::optional<CaseParts> parts = case_parts_of(bytes);
   if (!parts) return std::nullopt;
   return std::move(parts->query);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/double_parts.hpp"
 #include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
 #include "fuzz/mutator/reshape.hpp"
@@ -12,16 +13,10 @@ namespace ccdfuzz {
 
 namespace {
 
-int random_side(Draw& draw) {
-  return static_cast<int>(draw.below(2));
-}
-
 /// The exponent e of the largest coordinate, which is at least 2^(e-1) and less than 2^e; 0 if all
 /// are 0.
 int exponent_of(const Points<double>& points) {
-  int exponent = 0;
-  std::frexp(largest_coordinate(points), &exponent);
-  return exponent;
+  return parts_of(largest_coordinate(points)).top();
 }
 
 /// A vector of few bits, from as large as the points down to their last bit; often along one axis.
@@ -40,8 +35,8 @@ Vec3<Dyadic> small_vector(const Points<double>& points, Draw& draw) {
 }  // namespace
 
 bool shift_in_null_space(Contact& q, Draw& draw) {
-  const int side = random_side(draw);
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const size_t side = draw.below(2);
+  MovingPatch<double>& patch = q.query.patches[side];
   Points<double>& points = draw.coin() ? patch.positions : patch.moves();
   const std::vector<Dyadic> weights = q.weights(side);
   const size_t i = draw.below(points.size()), j = draw.below(points.size());
@@ -55,7 +50,7 @@ bool shift_in_null_space(Contact& q, Draw& draw) {
 }
 
 bool trade_position_for_velocity(Contact& q, Draw& draw) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(draw))];
+  MovingPatch<double>& patch = q.query.patches[draw.below(2)];
   if (patch.has_ends()) return false;
   const size_t i = draw.below(patch.positions.size());
   const Vec3<Dyadic> by = small_vector(patch.velocities, draw);
@@ -66,7 +61,7 @@ bool change_coordinates(Contact& q, Draw& draw) {
   constexpr int kFarthest = 40;  // 2^40 sizes of a patch away; more seldom fits into doubles
   Similarity change;
   const auto far_vector = [&](const Points<double>& points) {
-    const int size = exponent_of(points) + static_cast<int>(draw.integer(-20, kFarthest));
+    const int size = exponent_of(points) + draw.integer(-20, kFarthest);
     Vec3<double> v = draw_integers(draw, 3);
     for (double& x : v) x = std::ldexp(x, size);
     return v;
@@ -79,13 +74,13 @@ bool change_coordinates(Contact& q, Draw& draw) {
       change.drift = far_vector(q.query.patches[0].moves());
       break;
     case 2:
-      change.space = static_cast<int>(draw.integer(-60, 60));
+      change.space = draw.integer(-60, 60);
       break;
     case 3:
-      change.time = static_cast<int>(draw.integer(-30, 30));
+      change.time = draw.integer(-30, 30);
       break;
     default:  // towards the ends of the range of doubles
-      change.space = static_cast<int>(draw.integer(-1000, 900));
+      change.space = draw.integer(-1000, 900);
       break;
   }
   const std::optional<Query> changed = similar(q.query, change);
@@ -101,19 +96,19 @@ bool reparametrise(Contact& q, Draw& draw) {
     std::swap(q.uv[0], q.uv[1]);
     return true;
   }
-  const int side = random_side(draw);
-  if (!q.query.patches[static_cast<size_t>(side)].trim.empty()) return false;
+  const size_t side = draw.below(2);
+  if (!q.query.patches[side].trim.empty()) return false;
   reparametrise_patch(q, side, draw.choose(~std::uint64_t{0}));
   return true;
 }
 
 bool elevate_degree(Contact& q, Draw& draw) {
-  const int side = random_side(draw);
+  const size_t side = draw.below(2);
   return elevate_patch(q, side, draw.coin());
 }
 
 bool restrict_to_child(Contact& q, Draw& draw) {
-  return restrict_patch(q, random_side(draw));
+  return restrict_patch(q, draw.below(2));
 }
 
 bool splice(Contact& q, const Contact& other, Draw& draw) {
@@ -150,8 +145,8 @@ bool give_separation(Contact& q, Draw& draw) {
 }
 
 bool give_weights(Contact& q, Draw& draw) {
-  const int side = random_side(draw);
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const size_t side = draw.below(2);
+  MovingPatch<double>& patch = q.query.patches[side];
   const size_t count = patch.positions.size();
   if (count == 1) return false;
   if (draw.coin()) {

@@ -31,8 +31,8 @@ struct BodyChange {
 
 /// n·2^e, |n| ≤ 8, least ≤ e ≤ most.
 double draw_step(Draw& draw, int least, int most) {
-  const auto exponent = static_cast<int>(draw.integer(least, most));
-  return std::ldexp(static_cast<double>(draw.integer(-8, 8)), exponent);
+  const int exponent = draw.integer(least, most);
+  return std::ldexp(draw.integer(-8, 8), exponent);
 }
 
 /// A few floats away.
@@ -60,14 +60,14 @@ void simplify_number(const BodyChange& c) {
 }
 
 void scale_velocity(const BodyChange& c) {
-  c.velocity() *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-6, 6)));
+  c.velocity() *= std::ldexp(1.0, c.draw.integer(-6, 6));
 }
 
 void change_radius(const BodyChange& c) {
   if (!c.is_body()) return;
   double& r = c.hull.radius;
   const std::uint64_t way = c.draw.below(4);
-  const double factor = std::ldexp(1.0, static_cast<int>(c.draw.integer(-4, 4)));
+  const double factor = std::ldexp(1.0, c.draw.integer(-4, 4));
   r = way == 0 ? 0 : way == 1 ? c.donor.radius : way == 2 ? factor : factor * r;
 }
 
@@ -84,7 +84,7 @@ void add_point(const BodyChange& c) {
 }
 
 void stretch(const BodyChange& c) {
-  const double factor = std::ldexp(1.0, static_cast<int>(c.draw.integer(-8, 4)));
+  const double factor = std::ldexp(1.0, c.draw.integer(-8, 4));
   const double centre = c.hull.positions[c.point][c.k];
   for (Vec3<double>& p : c.hull.positions) p[c.k] = centre + factor * (p[c.k] - centre);
 }
@@ -95,7 +95,7 @@ void shift_body(const BodyChange& c) {
 }
 
 void shift_all(const BodyChange& c) {
-  const double by = std::ldexp(1.0, static_cast<int>(c.draw.integer(4, 14)));
+  const double by = std::ldexp(1.0, c.draw.integer(4, 14));
   for (MovingPatch<double>& hull : c.query.patches) {
     for (Vec3<double>& p : hull.positions) p[c.k] += by;
   }
@@ -116,7 +116,7 @@ void swap_bodies(const BodyChange& c) {
 }
 
 void change_end(const BodyChange& c) {
-  c.query.t_max *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-2, 2)));
+  c.query.t_max *= std::ldexp(1.0, c.draw.integer(-2, 2));
 }
 
 /// A body that turns stops turning, turns as the other does or the other way round, or about

@@ -18,21 +18,20 @@ bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
 }
 
 /// The ways to move what patch `side` has at the contact by `by` over its weight there.
-bool shift_patch(Contact& q, int side, const Vec3<Dyadic>& by) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+bool shift_patch(Contact& q, size_t side, const Vec3<Dyadic>& by) {
+  MovingPatch<double>& patch = q.query.patches[side];
   const auto way = divided(by, q.weight(side));
   return way && shift_all(patch.positions, *way) &&
          (!patch.has_ends() || shift_all(patch.ends, *way));
 }
 
-bool shift_velocity(Contact& q, int side, const Vec3<Dyadic>& by) {
+bool shift_velocity(Contact& q, size_t side, const Vec3<Dyadic>& by) {
   const auto k = exponent_of_power_of_two(q.t);
   const auto way = divided(by, q.weight(side));
-  return k && way &&
-         shift_all(q.query.patches[static_cast<size_t>(side)].moves(), *way * Dyadic(1, -*k));
+  return k && way && shift_all(q.query.patches[side].moves(), *way * Dyadic(1, -*k));
 }
 
-bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
+bool shift_control(Contact& q, size_t side, const Vec3<Dyadic>& by, Draw& draw) {
   const std::vector<Dyadic> weights = q.weights(side);
   std::vector<size_t> movable;
   for (size_t i = 0; i < weights.size(); ++i) {
@@ -40,7 +39,7 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
   }
   if (movable.empty()) return false;
   const size_t i = movable[draw.below(movable.size())];
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  MovingPatch<double>& patch = q.query.patches[side];
   const Vec3<Dyadic> shift = by * Dyadic(1, -weights[i].exponent());
   return add_exactly(patch.positions[i], shift) &&
          (!patch.has_ends() || add_exactly(patch.ends[i], shift));
@@ -56,7 +55,7 @@ bool repair(Contact& q, Draw& draw) {
   const std::uint64_t first = draw.below(kWays);
   for (std::uint64_t way = first; way < first + kWays; ++way) {
     Contact whole = q;
-    const int side = static_cast<int>(way % 2);
+    const size_t side = way % 2;
     // Over the weight of the other patch: what the numerator of this one is short of.
     const auto short_of = divided(side == 0 ? Vec3<Dyadic>(-apart) : apart, q.weight(1 - side));
     if (!short_of) continue;

@@ -113,10 +113,9 @@ bool replace_points(Points<double>& points, const Make& make) {
 
 }  // namespace
 
-void reparametrise_patch(Contact& q, int side, std::uint64_t way) {
-  const size_t s = static_cast<size_t>(side);
-  MovingPatch<double>& patch = q.query.patches[s];
-  Uv<Dyadic>& uv = q.uv[s];
+void reparametrise_patch(Contact& q, size_t side, std::uint64_t way) {
+  MovingPatch<double>& patch = q.query.patches[side];
+  Uv<Dyadic>& uv = q.uv[side];
   const Shape shape = patch.shape;
   std::vector<int> from;
   switch (shape.kind) {
@@ -157,8 +156,8 @@ void reparametrise_patch(Contact& q, int side, std::uint64_t way) {
   }
 }
 
-bool elevate_patch(Contact& q, int side, bool in_v) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+bool elevate_patch(Contact& q, size_t side, bool in_v) {
+  MovingPatch<double>& patch = q.query.patches[side];
   const Shape higher = elevated(patch.shape, in_v);
   if (!higher.valid() || !patch.weights.empty()) return false;  // quotients would be rounded
   const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
@@ -169,12 +168,11 @@ bool elevate_patch(Contact& q, int side, bool in_v) {
   return true;
 }
 
-bool restrict_patch(Contact& q, int side) {
-  const size_t s = static_cast<size_t>(side);
-  MovingPatch<double>& patch = q.query.patches[s];
+bool restrict_patch(Contact& q, size_t side) {
+  MovingPatch<double>& patch = q.query.patches[side];
   const Shape shape = patch.shape;
   if (!patch.weights.empty() || !patch.trim.empty()) return false;  // numbers would be rounded
-  const Uv<Rational> at = {q.uv[s][0].rational(), q.uv[s][1].rational()};
+  const Uv<Rational> at = {q.uv[side][0].rational(), q.uv[side][1].rational()};
   for (int c = 0; c < shape.child_count() && shape.kind != ShapeKind::kPoint; ++c) {
     const Cell cell = Cell{}.child(shape, c);
     if (!contains(cell, shape, at)) continue;
@@ -184,8 +182,8 @@ bool restrict_patch(Contact& q, int side) {
     }
     for (size_t k = 0; k < static_cast<size_t>(shape.parameter_count()); ++k) {
       const Dyadic local =
-          q.uv[s][k].scaled(1) - Dyadic(static_cast<int>(k == 0 ? cell.i : cell.j));
-      q.uv[s][k] = cell.inverted ? Dyadic(1) - local : local;
+          q.uv[side][k].scaled(1) - Dyadic(static_cast<int>(k == 0 ? cell.i : cell.j));
+      q.uv[side][k] = cell.inverted ? Dyadic(1) - local : local;
     }
     return true;
   }

@@ -81,7 +81,7 @@ void Draw::note(std::uint64_t choice, std::uint64_t max) {
   if (watch_) watch_(choice);
 }
 
-std::int64_t Draw::integer(std::int64_t lo, std::int64_t hi) {
+std::int64_t Draw::between(std::int64_t lo, std::int64_t hi) {
   CCDFUZZ_VERIFY(lo <= hi);
   const ToAndFro order(lo, hi);
   const std::uint64_t most = order.below + order.above;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "generators/draw/random.hpp"
@@ -45,8 +47,13 @@ class Draw {
   }
   /// A number in [0, bound), bound ≥ 1.
   std::uint64_t below(std::uint64_t bound) { return choose(bound - 1); }
-  /// A number in [lo, hi]; the one nearest 0 is the simplest. Requires lo ≤ hi, hi − lo < 2^63.
-  std::int64_t integer(std::int64_t lo, std::int64_t hi);
+  /// A number in [lo, hi], of the type of these; the one nearest 0 is the simplest. Requires
+  /// lo ≤ hi, hi − lo < 2^63.
+  template <std::integral Low, std::integral High>
+  std::common_type_t<Low, High> integer(Low lo, High hi) {
+    return static_cast<std::common_type_t<Low, High>>(
+        between(static_cast<std::int64_t>(lo), static_cast<std::int64_t>(hi)));
+  }
   bool coin() { return choose(1) != 0; }
   /// m·2^exponent with |m| < 2^bits, bits ≤ 61.
   Dyadic dyadic(int bits, long exponent);
@@ -101,6 +108,7 @@ class Draw {
   Draw(Source source, Random random)
       : source_(source), is_recording_(source != Source::kStream), random_(random) {}
 
+  std::int64_t between(std::int64_t lo, std::int64_t hi);
   bool is_at_end() const { return next_ == numbers_.size(); }
   std::uint64_t streamed(std::uint64_t max) {
     return max == ~std::uint64_t{0} ? random_.next() : random_.below(max + 1);

@@ -57,9 +57,8 @@ Contact drawn_contact(Draw& draw, const ContactRange& range, const Domain& promi
       [&] {
         if (promised.pairs.empty()) return contact_of_any_class(draw, range);
         ContactRange of_pair = range;
-        of_pair.shapes =
-            shapes_of(promised.pairs[draw.below(promised.pairs.size())],
-                      [&](int most) { return static_cast<int>(draw.integer(1, most)); });
+        of_pair.shapes = shapes_of(promised.pairs[draw.below(promised.pairs.size())],
+                                   [&](int most) { return draw.integer(1, most); });
         return contact_of_any_class(draw, of_pair);
       },
       [&](const Contact& contact) {

@@ -61,7 +61,7 @@ void add_noise(MovingPatch<Dyadic>& patch, int ulps, Draw& draw) {
     // Positions are sums of two such numbers, one of them times t*, a half or 1: two bits more,
     // which are taken off here.
     for (Vec3<Dyadic>& v : patch.velocities) {
-      v[k] += Dyadic(static_cast<int>(draw.integer(-ulps, ulps)), top + 2 - 53);
+      v[k] += Dyadic(draw.integer(-ulps, ulps), top + 2 - 53);
     }
   }
 }

@@ -50,7 +50,7 @@ TwoPoints two_corners(const Shape& shape, Draw& draw) {
   TwoPoints two{{corners[first], corners[second]}, {}};
   for_each_control(shape, [&](int i, int j) {
     const bool zero = bears(shape, two.at[0], i, j) || bears(shape, two.at[1], i, j);
-    two.heights.emplace_back(zero ? 0 : static_cast<int>(draw.integer(1, 64)));
+    two.heights.emplace_back(zero ? 0 : draw.integer(1, 64));
   });
   return two;
 }
@@ -58,7 +58,7 @@ TwoPoints two_corners(const Shape& shape, Draw& draw) {
 /// Points on two edges: (v − v0)² + k·u(1 − u) on a square, (u + v − s)² + k·uv on a triangle.
 TwoPoints on_two_edges(const Shape& shape, Draw& draw) {
   const Dyadic s = quarters(draw.integer(1, 3)), zero, one(1);
-  const Dyadic k(static_cast<int>(draw.integer(1, 4)));
+  const Dyadic k(draw.integer(1, 4));
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   TwoPoints two{{{{zero, s}, {triangle ? s : one, triangle ? zero : s}}}, {}};
   const Linear u = {zero, one, zero}, v = {zero, zero, one};

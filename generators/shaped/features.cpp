@@ -51,20 +51,11 @@ std::vector<ShapeEdge> edges_through(const Shape& shape, const Uv<Dyadic>& uv) {
 }
 
 std::vector<Uv<Dyadic>> corners_of(const Shape& shape) {
+  if (shape.kind == ShapeKind::kHull) refuse_hull();
   const Dyadic zero, one(1);
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return {{zero, zero}};
-    case ShapeKind::kCurve:
-      return {{zero, zero}, {one, zero}};
-    case ShapeKind::kTriangle:
-      return {{zero, zero}, {one, zero}, {zero, one}};
-    case ShapeKind::kTensor:
-      return {{zero, zero}, {one, zero}, {zero, one}, {one, one}};
-  }
-  return {};
+  const std::array<Uv<Dyadic>, 4> all = {{{zero, zero}, {one, zero}, {zero, one}, {one, one}}};
+  const int count = 1 + shape.parameter_count() + (shape.kind == ShapeKind::kTensor ? 1 : 0);
+  return {all.begin(), all.begin() + count};
 }
 
 bool has_feature(const Shape& shape, Feature feature) {
@@ -120,18 +111,15 @@ Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
 }
 
 Shape random_shape(Feature feature, Draw& draw) {
-  const auto degree = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
   if (feature == Feature::kCorner && draw.below(8) == 0) return Shape::point();
-  if (feature != Feature::kFace && draw.below(4) == 0) return Shape::curve(degree(5));
-  if (draw.coin()) return Shape::triangle(degree(5));
-  const int n = degree(4);
-  return Shape::tensor(n, degree(4));
+  if (feature != Feature::kFace && draw.below(4) == 0) return Shape::curve(draw.integer(1, 5));
+  if (draw.coin()) return Shape::triangle(draw.integer(1, 5));
+  const int n = draw.integer(1, 4);
+  return Shape::tensor(n, draw.integer(1, 4));
 }
 
 Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Draw& draw) {
-  const auto inner = [&] {
-    return Dyadic(Integer(static_cast<long>(draw.integer(1, (1L << bits) - 1))), -bits);
-  };
+  const auto inner = [&] { return Dyadic(Integer(draw.integer(1, (1L << bits) - 1)), -bits); };
   if (feature == Feature::kCorner) {
     const std::vector<Uv<Dyadic>> corners = corners_of(shape);
     return corners[draw.below(corners.size())];
@@ -141,8 +129,14 @@ Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Draw& draw) {
     return edges[draw.below(edges.size())].at(inner());
   }
   if (shape.kind == ShapeKind::kTriangle) {
-    const Barycentric x = prescribe_anywhere(feature, bits, draw);
-    return {x[0], x[1]};
+    // The first of (u, v, w) that is drawn, and then the others, at least one step each.
+    const int steps = 1 << bits;
+    std::array<int, 3> x{};
+    const size_t first = draw.below(3), second = (first + 1) % 3;
+    x[first] = draw.integer(1, steps - 2);
+    x[second] = draw.integer(1, steps - x[first] - 1);
+    x[(first + 2) % 3] = steps - x[first] - x[second];
+    return {Dyadic(x[0], -bits), Dyadic(x[1], -bits)};
   }
   const Dyadic u = inner();
   return {u, inner()};

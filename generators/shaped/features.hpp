@@ -39,6 +39,10 @@ bool has_feature(const Shape& shape, Feature feature);
 
 /// The feature that a point of a shape lies on.
 Feature feature_at(const Shape& shape, const Uv<Dyadic>& uv);
+/// The same of a quadratic triangle.
+inline Feature feature_at(const Barycentric& x) {
+  return feature_at(kQuadratic, {x[0], x[1]});
+}
 
 /// True iff the control point at this place has a share in the point: its weight there is not 0.
 bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j);

@@ -64,7 +64,7 @@ std::vector<Dyadic> over_boundary(const Shape& shape, const Uv<Dyadic>& at, Zero
                                   Draw& draw) {
   std::vector<Dyadic> heights;
   for (int i = 0; i < shape.control_count(); ++i) {
-    heights.emplace_back(static_cast<int>(draw.integer(1, 1 << (2 * kFactorSlopeBits + 2))));
+    heights.emplace_back(draw.integer(1, 1 << (2 * kFactorSlopeBits + 2)));
   }
   const std::vector<ShapeEdge> edges = edges_through(shape, at);
   const bool on_corner = feature_at(shape, at) == Feature::kCorner;

@@ -14,7 +14,7 @@ constexpr BitRange kManyBits = {1, 12}, kFewBits = {1, 2};  // of parameters
 
 /// A multiple of 1/8 in (0, 1).
 Dyadic time_before_one(Draw& draw) {
-  return {Integer(static_cast<long>(draw.integer(1, 7))), -3};
+  return {draw.integer(1, 7), -3};
 }
 
 /// Velocities along the contact plane: heights above it never change.
@@ -118,7 +118,7 @@ PlacedScene families::resting(ContactClass contact, const ShapePair& shapes, Dra
 
 PlacedScene families::common_velocity(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw, [&](PlacedScene& made) {
-    const long exponent = static_cast<long>(draw.integer(8, 20));
+    const long exponent = draw.integer(8, 20);
     made.placement.drift = draw.vector(10, exponent - 10);
   });
 }
@@ -152,7 +152,7 @@ PlacedScene families::sliding(ContactClass contact, const ShapePair& shapes, Dra
       [&] {
         Vec3<Dyadic> sum = still;
         for (const Vec3<Dyadic>& p_i : plate.points) {
-          sum += p_i * Dyadic(static_cast<int>(draw.integer(1, 8)), -3);
+          sum += p_i * Dyadic(draw.integer(1, 8), -3);
         }
         return sum;
       },  // a point has no inside
@@ -178,7 +178,7 @@ PlacedScene families::flat_grazing(ContactClass contact, const ShapePair& shapes
   made.scene = touching_at(contact, shapes, kFewBits, kBowlUnit - kFlatness, draw);
   let_graze(made.scene, draw);
   if (draw.coin()) made.scene.t = time_before_one(draw);
-  const int bits = static_cast<int>(draw.integer(32, 38));
+  const int bits = draw.integer(32, 38);
   const Planar where = {draw.lattice(bits, -28), draw.lattice(bits, -28)};
   made.placement.shift = point_of(made.placement.frame, where, Dyadic());
   return made;
@@ -189,7 +189,7 @@ PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePai
   PlacedScene made = families::regular(contact, shapes, draw);
   let_graze(made.scene, draw);
   if (near_miss) {
-    const Dyadic gap(1, static_cast<long>(draw.integer(kLeastGap, kLargestGap)));
+    const Dyadic gap(1, draw.integer(kLeastGap, kLargestGap));
     for (Vec3<Dyadic>& p : made.scene.sides[1].points) p[2] -= gap;
     made.scene.touches = false;
   }

@@ -96,7 +96,7 @@ void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_e
     lowest = std::min(lowest, p[2]);
     highest = std::max(highest, p[2]);
   }
-  const Dyadic clear(1, -static_cast<long>(draw.integer(1, 6)));
+  const Dyadic clear(1, -draw.integer(1, 6));
   Vec3<Dyadic> focus = draw.vector(6, -5);
   focus[2] = after == upper ? lowest - clear : highest + clear;
   side.rates.clear();
@@ -133,7 +133,7 @@ PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& sh
   scene.t = Dyadic(1, -1);
   const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
   const bool after = draw.coin();
-  const auto sooner = static_cast<long>(draw.integer(1, 4));  // that point is 2^-sooner from t*
+  const int sooner = draw.integer(1, 4);  // that point is 2^-sooner from t*
   for (size_t s = 0; s < 2; ++s) {
     if ((which >> s & 1) == 0) continue;
     ContactSide& side = scene.sides[s];
@@ -144,7 +144,7 @@ PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& sh
       pass_through_a_point(side, s == 0, after, sooner, draw);
     }
   }
-  made.placement.noise_ulps = static_cast<int>(draw.integer(0, 4));
+  made.placement.noise_ulps = draw.integer(0, 4);
   return made;
 }
 
@@ -152,14 +152,14 @@ PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& sh
 /// the ends of what a double holds.
 PlacedScene families::mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
-  const auto shrink = -static_cast<long>(draw.integer(1, spare_bits(made.scene)));
+  const int shrink = -draw.integer(1, spare_bits(made.scene));
   ContactSide& smaller = made.scene.sides[draw.below(2)];
   scale_axes(smaller.points, 0, 2, shrink);
   if (draw.coin()) scale_axes(smaller.rates, 0, 2, shrink);
   const bool one_size = draw.coin();
-  const auto common = static_cast<long>(draw.integer(-900, 800));
+  const int common = draw.integer(-900, 800);
   for (long& exponent : made.placement.exponent) {
-    exponent = one_size ? common : static_cast<long>(draw.integer(-60, 60));
+    exponent = one_size ? common : draw.integer(-60, 60);
   }
   return made;
 }
@@ -170,7 +170,7 @@ PlacedScene families::far_away(ContactClass contact, const ShapePair& shapes, Dr
   made.placement.frame = random_frame(draw);
   made.scene = coarse_scene(contact, shapes, draw);
   const int spare = spare_bits(made.scene);
-  const auto reach = static_cast<long>(draw.integer(spare / 2, spare));
+  const int reach = draw.integer(spare / 2, spare);
   made.placement.shift = draw.vector(8, kSizeExponent + reach - 8);
   if (draw.coin()) made.placement.drift = draw.vector(8, kSizeExponent + reach - 10);
   return made;
@@ -180,7 +180,7 @@ PlacedScene families::degenerate(ContactClass contact, const ShapePair& shapes, 
   PlacedScene made = near_origin(contact, shapes, draw);
   change_sides(made.scene, draw, [&](size_t s, ContactSide& side) {
     const bool lift = draw.coin();
-    const Dyadic height(s == 0 ? 1 : -1, -static_cast<long>(draw.integer(2, 8)));
+    const Dyadic height(s == 0 ? 1 : -1, -draw.integer(2, 8));
     for_each_control(side.shape, [&](int i, int j) {
       Dyadic& z = side.points[static_cast<size_t>(side.shape.index(i, j))][2];
       z = lift && !bears(side.shape, side.at, i, j) ? height : Dyadic();
@@ -194,7 +194,7 @@ PlacedScene families::sliver(ContactClass contact, const ShapePair& shapes, Draw
   PlacedScene made = near_origin(contact, shapes, draw);
   const int most = std::max(kLeastSqueeze, spare_bits(made.scene));
   change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
-    scale_axes(side.points, 1, 1, -static_cast<long>(draw.integer(kLeastSqueeze, most)));
+    scale_axes(side.points, 1, 1, -draw.integer(kLeastSqueeze, most));
   });
   return made;
 }
@@ -202,7 +202,7 @@ PlacedScene families::sliver(ContactClass contact, const ShapePair& shapes, Draw
 PlacedScene families::high_curvature(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
-    scale_axes(side.points, 2, 2, static_cast<long>(draw.integer(4, 12)));
+    scale_axes(side.points, 2, 2, draw.integer(4, 12));
   });
   return made;
 }

@@ -74,12 +74,12 @@ ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
       [&](const ShapePair& shapes) { return check_shapes(options, shapes).has_value(); });
 }
 
-bool end_before_contact(Case& value, const Dyadic& until) {
-  const std::optional<double> t_max = until.to_double_exactly();
-  if (!value.truth.clearance || !t_max) return false;
-  say_clear(value, *t_max);
-  value.truth.clear_until = until.rational();
-  return true;
+Attempted as_asked(Case positive, const GeneratorOptions& options) {
+  if (options.kind != CaseKind::kRN) return positive;
+  if (!positive.truth.clearance) return tl::unexpected(Discard::kFirstContact);
+  positive.truth.clear_until = positive.truth.witness->t - eps_t(options).rational();
+  say_clear(positive, to_double_exactly(*positive.truth.clear_until).value());
+  return positive;
 }
 
 bool is_shaped(const GeneratorOptions& options) {
@@ -101,18 +101,15 @@ Result<void> validate_shaped(const GeneratorOptions& options) {
   return options.shapes ? check_shapes(options, *options.shapes) : Result<void>();
 }
 
-tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Draw& draw) {
+Attempted shaped_case(const GeneratorOptions& options, Draw& draw) {
   const PlacedScene made = scene_of(options, shapes_of(options, draw), draw);
   std::optional<Case> value = to_case(made.scene, made.placement, draw);
   if (!value) return tl::unexpected(Discard::kRoundTrip);
-  const Dyadic before = made.scene.t - eps_t;
+  const Dyadic before = made.scene.t - eps_t(options);
   switch (options.kind) {
     case CaseKind::kRP:
-      break;
     case CaseKind::kRN:
-      if (!end_before_contact(*value, before)) return tl::unexpected(Discard::kFirstContact);
-      break;
+      return as_asked(*std::move(value), options);
     case CaseKind::kNHP:
       if (!proven_by_search(value->query, before, options.proof_pops))
         return tl::unexpected(Discard::kFirstContact);
@@ -128,13 +125,12 @@ tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const D
   return *std::move(value);
 }
 
-tl::expected<Case, Discard> plain_case(Family family, const GeneratorOptions& options,
-                                       const Dyadic& eps_t, Draw& draw) {
+Attempted plain_case(Family family, const GeneratorOptions& options, Draw& draw) {
   GeneratorOptions plain = options;
   plain.family = family;
   plain.kind = CaseKind::kRP;
   plain.shapes = shapes_of(options, draw);
-  return shaped_case(plain, eps_t, draw);
+  return shaped_case(plain, draw);
 }
 
 }  // namespace ccdfuzz

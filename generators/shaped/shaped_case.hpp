@@ -16,11 +16,10 @@ Result<void> validate_shaped(const GeneratorOptions& options);
 std::array<Shape, 2> shapes_of(const GeneratorOptions& options, Draw& draw);
 
 /// A positive of this family, of shapes that fit the options.
-tl::expected<Case, Discard> plain_case(Family family, const GeneratorOptions& options,
-                                       const Dyadic& eps_t, Draw& draw);
+Attempted plain_case(Family family, const GeneratorOptions& options, Draw& draw);
 
-/// Turns a positive case with a clearance into the negative one that ends before the contact.
-/// Returns false if it has none, or the time is no double.
-bool end_before_contact(Case& value, const Dyadic& until);
+/// A positive; if RN is asked for, the negative with the same patches that ends eps_T before the
+/// contact, which needs a clearance.
+Attempted as_asked(Case positive, const GeneratorOptions& options);
 
 }  // namespace ccdfuzz

@@ -31,7 +31,7 @@ struct DoubleParts {
   std::int64_t mantissa = 0;
   int exponent = 0;
 
-  /// The least e with |x| < 2^e; meaningless for zero.
+  /// The least e with |x| < 2^e; 0 of zero.
   constexpr int top() const {
     const auto magnitude = static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa);
     return exponent + static_cast<int>(std::bit_width(magnitude));

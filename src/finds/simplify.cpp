@@ -36,7 +36,7 @@ std::uint64_t bits_of(const Dyadic& x) {
 std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) {
   MovingPatch<double> patch = q.query.patches[side];
   if (!patch.weights.empty()) return std::nullopt;  // offer_weights takes them away
-  const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
+  const std::vector<Dyadic> weights = q.weights(side);
   MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {}};
   (patch.has_ends() ? point.ends : point.velocities) = {{0, 0, 0}};
   for (const PatchField array : kPatchFields) {

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "generators/shaped/features.hpp"
+
 namespace ccdfuzz {
 namespace {
 
@@ -24,12 +26,14 @@ TEST(Prescribe, ReachesEveryEdgeAndEveryCorner) {
   Draw random{Random(2)};
   for (const Feature feature : {Feature::kEdge, Feature::kCorner}) {
     std::set<int> zeros_in_parent, zeros_anywhere;
-    const auto zeros = [](const Barycentric& x) {
-      return (x[0].sign() == 0 ? 1 : 0) + (x[1].sign() == 0 ? 2 : 0) + (x[2].sign() == 0 ? 4 : 0);
+    const auto zeros = [](const Dyadic& u, const Dyadic& v) {
+      return (u.sign() == 0 ? 1 : 0) + (v.sign() == 0 ? 2 : 0) + (u + v == Dyadic(1) ? 4 : 0);
     };
     for (int i = 0; i < 100; ++i) {
-      zeros_in_parent.insert(zeros(prescribe_in_parent(feature, random)));
-      zeros_anywhere.insert(zeros(prescribe_anywhere(feature, 6, random)));
+      const Barycentric x = prescribe_in_parent(feature, random);
+      zeros_in_parent.insert(zeros(x[0], x[1]));
+      const auto [u, v] = point_on(feature, kQuadratic, 6, random);
+      zeros_anywhere.insert(zeros(u, v));
     }
     EXPECT_EQ(zeros_in_parent.size(), 3u);
     EXPECT_EQ(zeros_anywhere.size(), 3u);
@@ -55,11 +59,9 @@ TEST(Prescribe, AnywhereLiesOnItsFeatureAndHonoursItsBits) {
   Draw random{Random(4)};
   for (const Feature feature : kFeatures) {
     for (int bits = 2; bits <= 12; ++bits) {
-      const Barycentric x = prescribe_anywhere(feature, bits, random);
-      EXPECT_EQ(feature_at(x), feature);
-      for (const Dyadic& c : x) {
-        EXPECT_GE(c.exponent(), -bits) << c;
-      }
+      const Uv<Dyadic> uv = point_on(feature, kQuadratic, bits, random);
+      EXPECT_EQ(feature_at(kQuadratic, uv), feature);
+      for (const Dyadic& c : uv) EXPECT_GE(c.exponent(), -bits) << c;
     }
   }
 }
