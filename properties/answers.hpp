@@ -24,10 +24,14 @@ inline std::string to_text(const Answer& answer) {
                      answer.pops, answer.note);
 }
 
+inline Answer answer_of(const std::string& spec, const Query& query, const SearchOptions& options) {
+  return make_method(spec).value()->answer(query, options);
+}
+
 /// What a method answers, which a failure shows with the question.
 inline Answer asked(Draw& d, const std::string& spec, const Query& query,
                     const SearchOptions& options) {
-  Answer answer = make_method(spec).value()->answer(query, options);
+  const Answer answer = answer_of(spec, query, options);
   show(d, "query", query);
   show(d, "answer of " + spec, answer);
   return answer;
@@ -44,8 +48,7 @@ template <std::size_t N>
 void claim_answered_alike(const std::array<const char*, N>& methods, const Query& a, const Query& b,
                           const SearchOptions& options) {
   for (const char* name : methods) {
-    const auto method = make_method(name).value();
-    claim_same(method->answer(a, options), method->answer(b, options));
+    claim_same(answer_of(name, a, options), answer_of(name, b, options));
   }
 }
 

@@ -54,8 +54,8 @@ Question draw_valid(Draw& choices) {
   constexpr std::array kMaxDegrees = {1, 2, 1, 2, 1, 2, 1, kMaxDegree};
   Question drawn;
   drawn.query = draw_query(choices, choices.pick(kMaxDegrees),
-                           [](Draw& d) { return static_cast<double>(d.integer(-8, 8)) / 4; });
-  drawn.query.t_max = static_cast<double>(choices.integer(0, 8)) / 4;
+                           [](Draw& d) { return d.integer(-8, 8) / 4.0; });
+  drawn.query.t_max = choices.integer(0, 8) / 4.0;
   drawn.options.precision = std::ldexp(1.0, -static_cast<int>(choices.choose(60)));
   drawn.options.max_pops = choices.choose(4);
   drawn.options.max_bytes = choices.choose(1 << 20);
@@ -67,7 +67,7 @@ void spoil(Draw& choices, Question& question) {
   Query& query = question.query;
   MovingPatch<double>& patch = query.patches[choices.choose(1)];
   Points<double>& points = choices.coin() ? patch.velocities : patch.positions;
-  switch (choices.choose(7)) {
+  switch (const std::uint64_t place = choices.choose(7)) {
     case 0:
       if (!points.empty()) {
         points[choices.choose(points.size() - 1)][static_cast<int>(choices.choose(2))] =
@@ -84,22 +84,18 @@ void spoil(Draw& choices, Question& question) {
       (choices.coin() ? patch.shape.n : patch.shape.m) = any_int(choices);
       break;
     case 4: {  // as many control points as the degrees ask for
-      patch.shape.n = static_cast<int>(choices.integer(-1, kMaxDegree + 2));
-      patch.shape.m = static_cast<int>(choices.integer(-1, kMaxDegree + 2));
+      patch.shape.n = choices.integer(-1, kMaxDegree + 2);
+      patch.shape.m = choices.integer(-1, kMaxDegree + 2);
       const auto count = static_cast<std::size_t>(std::max(0, patch.shape.control_count()));
       patch.positions.resize(count, Vec3<double>(0, 1, 0));
       patch.velocities.resize(count, Vec3<double>(0, 0, 1));
       break;
     }
-    case 5:
-      query.t_max = any_double(choices);
-      break;
-    case 6:
-      question.options.precision = any_double(choices);
-      break;
-    default:
-      question.options.max_seconds = any_double(choices);
-      break;
+    default: {
+      SearchOptions& options = question.options;
+      *std::array{&query.t_max, &options.precision, &options.max_seconds}[place - 5] =
+          any_double(choices);
+    }
   }
 }
 
@@ -161,14 +157,12 @@ Question draw_question(Draw& choices) {
 }
 
 void check_refusals(Draw& d) {
-  const std::string name = any_method(d);
+  const std::string name = show(d, "method", any_method(d));
   const Question question = draw_question(d);
   const bool to_answer = is_right(question);
   suppose(!to_answer || is_quick(name, question.query));
-  const auto method = *make_method(name);
-  const Answer answer = method->answer(question.query, question.options);
+  const Answer answer = answer_of(name, question.query, question.options);
   const Outcome outcome = judge(checked_contact({question.query, {}, {}, {}}), answer);
-  show(d, "method", name);
   show(d, "verdict", answer.verdict);
   show(d, "note", answer.note);
   show(d, "outcome", outcome);
@@ -187,9 +181,8 @@ void check_refusals(Draw& d) {
 void check_validity(Draw& d) {
   const Question question = draw_question(d);
   const double precision = question.options.precision;
-  const int depth = depth_for(precision);
+  const int depth = show(d, "depth", depth_for(precision));
   const bool is_width = 0 < precision && precision <= 1;
-  show(d, "depth", depth);
   show_question(d, question);
   CLAIM(validate(question.query, "").has_value() == is_query(question.query));
   CLAIM(is_taken(question.query, question.options) == is_right(question));

@@ -21,17 +21,16 @@ namespace {
 /// Any finite double, or an ordinary one.
 double draw_double(Draw& choices) {
   if (choices.coin()) return choices.finite_double();
-  return *choices.dyadic(53, static_cast<long>(choices.integer(-60, 10))).to_double_exactly();
+  return *choices.dyadic(53, choices.integer(-60, 10)).to_double_exactly();
 }
 
 void check_rational_rounding(Draw& d) {
   const double x = draw_double(d);
-  const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(d.integer(-1100, 10)));
-  const Rational q = d.coin() ? Rational(exact(x) + off) : exact(x);
+  const Rational off = Rational(1, 3) * power_of_two(d.integer(-1100, 10));
+  const Rational q = show(d, "q", d.coin() ? Rational(exact(x) + off) : exact(x));
   const double down = round_down(q), up = round_up(q);
   show(d, "down", down);
   show(d, "up", up);
-  show(d, "q", q);
   CLAIM(!std::isfinite(down) || exact(down) <= q);
   CLAIM(!std::isfinite(up) || q <= exact(up));
   CLAIM(down == up || next_up(down) == up);
@@ -100,10 +99,8 @@ bool is_approximate(const WideInt<Bits>& x, const Integer& value) {
 template <int Bits>
 void claim_wide_is_gmp(Draw& d) {
   const auto a = draw_wide<Bits>(d, "a"), b = draw_wide<Bits>(d, "b");
-  const std::int64_t m = draw_word(d);
-  const auto s = static_cast<int>(d.choose(Bits - 1));
-  show(d, "m", m);
-  show(d, "s", s);
+  const std::int64_t m = show(d, "m", draw_word(d));
+  const auto s = show(d, "s", static_cast<int>(d.choose(Bits - 1)));
   const Integer x = to_integer(a), y = to_integer(b), z(static_cast<long>(m));
   CLAIM(to_integer(a + b) == wrapped<Bits>(x + y));
   CLAIM(to_integer(a - b) == wrapped<Bits>(x - y));
@@ -143,11 +140,10 @@ void check_bounded_int(Draw& d) {
   std::array<Int, 2> numbers;
   std::array<Integer, 2> expected;
   for (std::int64_t n = d.integer(1, 12); n > 0; --n) {
-    const std::size_t to = d.choose(1);
+    const std::size_t to = show(d, "of number", d.choose(1));
     const std::int64_t x = d.integer(-kMost, kMost);
     const std::uint64_t operation = d.choose(4);
     const std::size_t bits = mpz_sizeinbase(expected[to].get_mpz_t(), 2);
-    show(d, "of number", to);
     show(d, std::array{"=", "+", "-", "*", "<"}[operation], x);
     if (operation == 0) numbers[to] = Int(x), expected[to] = Integer(static_cast<long>(x));
     if (operation == 1) numbers[to] += numbers[1 - to], expected[to] += expected[1 - to];
@@ -173,9 +169,8 @@ void check_bounded_int(Draw& d) {
 }
 
 void check_double_parts(Draw& d) {
-  const double x = d.finite_double();
+  const double x = show(d, "x", d.finite_double());
   const DoubleParts parts = parts_of(x);
-  show(d, "x", x);
   CLAIM(std::ldexp(static_cast<double>(parts.mantissa), parts.exponent) == x);
   CLAIM(x == 0 || (parts.mantissa % 2 != 0 && parts.top() == std::ilogb(x) + 1));
   CLAIM(double_of(parts.mantissa, parts.exponent) == x);
@@ -185,25 +180,21 @@ void check_double_parts(Draw& d) {
 }
 
 void check_exact_sums(Draw& d) {
-  const double a = draw_double(d);
-  const double b = d.coin() ? draw_double(d) : d.nudged(-a, 20);
+  const double a = show(d, "a", draw_double(d));
+  const double b = show(d, "b", d.coin() ? draw_double(d) : d.nudged(-a, 20));
   double sum = a;
   const bool is_exact = add_exactly(sum, b);
   const std::optional<double> exact_sum = (Dyadic::exact(a) + Dyadic::exact(b)).to_double_exactly();
-  show(d, "a", a);
-  show(d, "b", b);
   show(d, "sum", sum);
   CLAIM(is_exact == exact_sum.has_value());
   CLAIM(!exact_sum || sum == *exact_sum);
 }
 
 void check_dyadic_round_trip(Draw& d) {
-  const double x = d.finite_double();
+  const double x = show(d, "x", d.finite_double());
   // Near each other half of the time, where sums cancel.
   const bool is_near = d.coin();
-  const double y = is_near ? d.nudged(d.coin() ? -x : x, 4) : d.finite_double();
-  show(d, "x", x);
-  show(d, "y", y);
+  const double y = show(d, "y", is_near ? d.nudged(d.coin() ? -x : x, 4) : d.finite_double());
   const Dyadic dx = Dyadic::exact(x), dy = Dyadic::exact(y);
   const Rational rx = exact(x), ry = exact(y);
   const auto is_x = [&](const Result<double>& read) {
@@ -211,8 +202,7 @@ void check_dyadic_round_trip(Draw& d) {
   };
   CLAIM(is_x(parse_real({JsonKind::kNumber, json_number(x), {}, {}})));
   CLAIM(is_x(parse_real({JsonKind::kString, to_hex(x), {}, {}})));
-  const Rational q = rx / static_cast<long>(d.integer(1, 1000));
-  show(d, "q", q);
+  const Rational q = show(d, "q", rx / d.integer(1, 1000));
   const auto read = parse_rational(to_text(q));
   CLAIM(read && *read == q);
   CLAIM(dx.to_double_exactly() == std::optional(x));
@@ -244,11 +234,10 @@ std::vector<Property> arithmetic_claims() {
       {"paper.every_dyadic_is_a_double", "p/2^k with |p| < 2^53 is a double for any p and k",
        "Section 5.4, which leaves out the range of exponents",
        [](Draw& d) {
-         const Dyadic x = d.dyadic(53, static_cast<long>(d.integer(-2000, 2000)));
-         show(d, "x", x);
+         const Dyadic x = show(d, "x", d.dyadic(53, d.integer(-2000, 2000)));
          CLAIM(x.to_double_exactly().has_value());
        },
-       Expectation::kFails},
+       kFails},
       {"dyadic.round_trip",
        "A double goes to exact numbers and to the texts of files and back without loss, as a "
        "fraction does to its text. Both exact number types agree on every sum, difference, product "

@@ -6,7 +6,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
@@ -22,7 +21,7 @@ Query draw_bodies(Draw& d) {
 
 Rational draw_fraction_of(Draw& d, const Rational& whole) {
   constexpr long kSteps = 64;
-  return whole * static_cast<long>(d.integer(0, kSteps)) / kSteps;
+  return whole * d.integer(0, kSteps) / kSteps;
 }
 
 /// Weights that sum to 1: most of it on one point.
@@ -44,10 +43,11 @@ void check_truth_of_bodies(Draw& d) {
                         : turns ? d.pick(std::array{CaseKind::kRP, CaseKind::kRN})
                                 : d.pick(kBodyCaseKinds);
   const bool in_plane = turns && !spins && !grazes && d.coin();
-  const Family still = grazes ? Family::kBodiesGrazing : Family::kBodies;
-  const Family turning = grazes ? Family::kTurningGrazing : Family::kTurning;
-  const Family spinning = grazes ? Family::kSpinningGrazing : Family::kSpinning;
-  const Case known = draw_planted(d, kind, spins ? spinning : turns ? turning : still, in_plane);
+  constexpr std::array<std::array<Family, 3>, 2> kFamilies = {
+      {{Family::kBodies, Family::kTurning, Family::kSpinning},
+       {Family::kBodiesGrazing, Family::kTurningGrazing, Family::kSpinningGrazing}}};
+  const Family family = kFamilies[grazes ? 1 : 0][spins ? 2 : turns ? 1 : 0];
+  const Case known = draw_planted(d, kind, family, in_plane);
   CLAIM(has_turns(known.query) == turns && has_spins(known.query) == spins);
   claim_planted_truth(known, kind, {.bodies = true});
   if (!grazes) return;
@@ -111,7 +111,7 @@ void check_late_directions(Draw& d) {
   if (is_later) clear.until += draw_fraction_of(d, clear.until) / 64 + power_of_two(-200);
   clear.closed = !is_later || d.coin();
   if (d.coin()) {
-    for (Rational& x : clear.normal) x = static_cast<long>(d.integer(-8, 8));
+    for (Rational& x : clear.normal) x = d.integer(-8, 8);
   }
   const Rational length = draw_fraction_of(d, 8);
   for (Rational& x : clear.normal) x *= length;
@@ -126,7 +126,7 @@ void check_forged_weights(Draw& d) {
   CLAIM(check_body_contact(known.query, witness).has_value());
   std::vector<Rational>& weights = witness.weights[d.below(2)];
   const size_t i = d.below(weights.size());
-  const Rational little = power_of_two(-static_cast<long>(d.integer(1, 60)));
+  const Rational little = power_of_two(-d.integer(1, 60));
   switch (d.below(4)) {
     case 0:
       weights[i] += d.coin() ? little : Rational(-little);

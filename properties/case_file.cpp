@@ -18,8 +18,8 @@ namespace {
 constexpr std::array kLayouts = {JsonLayout::kOneLine, JsonLayout::kReadable};
 
 Rational draw_rational(Draw& d) {
-  const auto p = static_cast<long>(d.integer(-1'000'000, 1'000'000));
-  return Rational(p) / Rational(static_cast<long>(d.integer(1, 1'000'000)));
+  const int p = d.integer(-1'000'000, 1'000'000);
+  return Rational(p) / Rational(d.integer(1, 1'000'000));
 }
 
 std::array<Rational, 3> three_of(DrawRational* draw, Draw& d) {
@@ -30,7 +30,7 @@ std::array<Rational, 3> three_of(DrawRational* draw, Draw& d) {
 Query draw_any_bodies(Draw& d) {
   Query drawn;
   for (MovingPatch<double>& body : drawn.patches) {
-    body.shape = Shape::hull(static_cast<int>(d.integer(1, 5)));
+    body.shape = Shape::hull(d.integer(1, 5));
     body.positions.resize(static_cast<std::size_t>(body.shape.control_count()));
     body.velocities.resize(1);
     for_each_coordinate(body, [&](double& x) { x = d.finite_double(); });
@@ -202,8 +202,7 @@ std::vector<Property> case_file_claims() {
        [](Draw& d) {
          const Case value = draw_case(d);
          const JsonLayout layout = d.pick(kLayouts);
-         const std::string written = to_json(value, layout);
-         show(d, "written", written);
+         const std::string written = show(d, "written", to_json(value, layout));
          const Case read = parse_case(written, "written").value();
          CLAIM(read == value);
          CLAIM(to_json(read, layout) == written);  // −0, too

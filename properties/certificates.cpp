@@ -5,10 +5,8 @@
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/finalize.hpp"
 #include "generators/round.hpp"
 #include "generators/shaped/families.hpp"
 #include "numeric/products.hpp"
@@ -31,40 +29,35 @@ void check_changed_plane(Draw& d) {
     });
   }
   const ContactClass contact = contacts[d.choose(contacts.size() - 1)];
-  const Case known = is_round ? draw_round_case(contact, false, d)
-                              : supposed(to_case(touching(contact, {kQuadratic, kQuadratic}, d),
-                                                 random_placement(d), d));
-  auto plane = std::get<MovingPlane>(*known.truth.clearance);
-  std::array<MovingPatch<Dyadic>, 2> patches;
-  for (std::size_t s = 0; s < 2; ++s) patches[s] = exact_patch<Dyadic>(known.query.patches[s]);
+  Case changed = is_round ? draw_round_case(contact, false, d)
+                          : supposed(to_case(touching(contact, {kQuadratic, kQuadratic}, d),
+                                             random_placement(d), d));
+  auto plane = std::get<MovingPlane>(*changed.truth.clearance);
+  auto& patches = changed.query.patches;
   // The last three change the patches.
   enum class Change : std::uint8_t { kNone, kOffset, kLater, kTurned, kSide, kCorner, kNotNearer };
   const Change last = is_round ? Change::kTurned : Change::kNotNearer;
   const auto change = static_cast<Change>(d.choose(static_cast<std::uint64_t>(last)));
   const std::uint64_t side = d.choose(1);
-  const Rational little = power_of_two(static_cast<int>(d.integer(is_round ? -60 : -16, 3)));
-  const auto move_beyond = [&](Vec3<Dyadic>& p, const Rational& by) {
+  const Rational little = power_of_two(d.integer(is_round ? -60 : -16, 3));
+  const auto move_beyond = [&](Vec3<double>& p, const Rational& by) {
     for (int k = 0; k < 3; ++k) {
-      const Dyadic step = *Dyadic::from(plane.normal[static_cast<std::size_t>(k)] * by);
-      p[k] = side == 0 ? p[k] - step : p[k] + step;
+      const Rational step = (side == 0 ? -1 : 1) * by * plane.normal[static_cast<std::size_t>(k)];
+      p[k] = supposed(to_double_exactly(exact(p[k]) + step));
     }
   };
   switch (change) {
     case Change::kNone:
       break;
     case Change::kSide:
-      for (Vec3<Dyadic>& p : patches[side].positions) move_beyond(p, little);
+      for (Vec3<double>& p : patches[side].positions) move_beyond(p, little);
       break;
     case Change::kCorner: {
       const std::size_t corner = d.pick(std::array<std::size_t, 3>{0, 2, 5});
-      const Vec3<Dyadic> at = patches[side].at(*Dyadic::from(plane.until))[corner];
-      Rational height = -plane.offset, squared = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        height += plane.normal[k] * at[static_cast<int>(k)].rational();
-        squared += plane.normal[k] * plane.normal[k];
-      }
-      const Rational by = power_of_two(static_cast<int>(d.integer(0, 8)));
-      suppose(by * squared > abs(height));
+      const Vec3<Rational> at = exact_patch<Rational>(patches[side]).at(plane.until)[corner];
+      const Rational height = dot(plane.normal, std::array{at[0], at[1], at[2]}) - plane.offset;
+      const Rational by = power_of_two(d.integer(0, 8));
+      suppose(by * dot(plane.normal, plane.normal) > abs(height));
       move_beyond(patches[side].positions[corner], by);
       break;
     }
@@ -82,13 +75,8 @@ void check_changed_plane(Draw& d) {
       patches[side].velocities = patches[1 - side].velocities;
       break;
   }
-  Case changed = known;
   changed.truth = {};
   changed.truth.clearance = plane;
-  for (std::size_t s = 0; s < 2; ++s) {
-    changed.query.patches[s].positions = supposed(to_doubles(patches[s].positions));
-    changed.query.patches[s].velocities = supposed(to_doubles(patches[s].velocities));
-  }
   show(d, "change", static_cast<int>(change));
   show(d, "case", changed);
   CLAIM(check_plane(changed.query, plane).has_value() == (change == Change::kNone));
@@ -105,7 +93,7 @@ void check_contact_box(Draw& d) {
   for (auto& place : x) place = d.integer(0, kSteps);
   for (auto& place : off) place = d.integer(-2, 2);
   const std::int64_t radius = d.integer(1, 4);
-  const double scale = std::ldexp(1.0, static_cast<int>(d.integer(-20, 20)));
+  const double scale = std::ldexp(1.0, d.integer(-20, 20));
   Case about;
   auto& [triangle, point] = about.query.patches;
   triangle = {Shape::triangle(1), {{0, 0, 0}, {0, scale, 0}, {scale, 0, 0}}, {}};

@@ -74,11 +74,10 @@ Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& norm
 
 /// Ends in normal form: t·|v' − v''| ≤ 2u·(|p''| + |v''|) + t·absolute at t = t_max.
 void check_normalised_ends(Draw& d) {
-  const Query query = supposed(with_drawn_ends(draw_extreme_query(d), d));
+  const Query query = show(d, "query", supposed(with_drawn_ends(draw_extreme_query(d), d)));
   certified::NormalisedQuery out;
   certified::normalise(query, out);
   suppose(query.t_max > 0 && std::isfinite(out.absolute));
-  show(d, "query", query);
   CLAIM(out.roundings == 2);
   const Dyadic absolute = Dyadic::exact(out.absolute), t = Dyadic::exact(out.t_max);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -101,14 +100,13 @@ void check_normalised_ends(Draw& d) {
 }
 
 void check_normalised(Draw& d) {
-  const Query query = draw_extreme_query(d);
+  const Query query = show(d, "query", draw_extreme_query(d));
   certified::NormalisedQuery out;
   certified::normalise(query, out);
   show(d, "space", out.space);
   show(d, "time", out.time);
   show(d, "t_max", out.t_max);
   show(d, "absolute", out.absolute);
-  show(d, "query", query);
   CLAIM(Dyadic::exact(out.t_max).scaled(out.time) == Dyadic::exact(query.t_max));
   CLAIM(out.t_max == 0 || (0.5 <= out.t_max && out.t_max < 1));
   CLAIM(out.absolute >= certified::kLeastAbsolute);
@@ -177,7 +175,7 @@ struct DrawnCell {
   }
 
   static double draw_weight(Draw& d) {
-    const int exponent = d.coin() ? 0 : -static_cast<int>(d.integer(0, kWeightBits));
+    const int exponent = d.coin() ? 0 : -d.integer(0, kWeightBits);
     return std::ldexp(1 + *abs(d.dyadic(30, -31)).to_double_exactly(), exponent);
   }
   int roundings() const { return tree.roundings(tree.depth(node)); }
@@ -188,8 +186,7 @@ struct DrawnCell {
 void check_sub_patches(Draw& d) {
   const DrawnCell drawn(d, false);
   const auto& controls = drawn.controls;
-  const int roundings = drawn.roundings();
-  show(d, "roundings", roundings);
+  const int roundings = show(d, "roundings", drawn.roundings());
   CLAIM(roundings >= drawn.averages());
   const auto corners = exact_corners<Dyadic>(drawn.cell.corners(drawn.shape));
   const Dyadic underflow = Dyadic(roundings) * least_double().scaled(-1);
@@ -220,7 +217,7 @@ void check_rational_cells(Draw& d) {
   const DrawnCell drawn(d, true);
   const auto& [shape, controls, weights, tree, node, cell] = drawn;
   suppose(shape.kind != ShapeKind::kPoint);
-  const double t = *abs(d.dyadic(53, -53)).to_double_exactly();
+  const double t = show(d, "t", *abs(d.dyadic(53, -53)).to_double_exactly());
   MovingPatch<Rational> whole{shape, {}, {}};
   Rational largest_p = 0, largest_v = 0;
   for (std::size_t i = 0; i < controls.size(); ++i) {
@@ -239,7 +236,6 @@ void check_rational_cells(Draw& d) {
   std::vector<double> snapshot(certified::kPerPoint * controls.size());
   certified::take_snapshot(tree.net(node), tree.count(), 0, t, snapshot.data());
   const int roundings = drawn.roundings();
-  show(d, "t", t);
   CLAIM(roundings == 2 * drawn.averages() + 2);
   const auto within = [&](int count) -> Rational {
     const Rational relative = exact(std::ldexp(count, -53)) * (1 + power_of_two(-20));
@@ -270,12 +266,12 @@ void check_rational_cells(Draw& d) {
 
 void check_derived_bound(Draw& d) {
   constexpr int kMostRoundings = 16 * 50;  // D·d
-  const auto count = static_cast<int>(d.integer(0, kMostRoundings));
-  const double magnitude = *abs(d.dyadic(53, -51)).to_double_exactly();
-  const double absolute = std::ldexp(1.0, static_cast<int>(d.integer(-1000, -10)));
+  const int count = show(d, "roundings", d.integer(0, kMostRoundings));
+  const double magnitude = show(d, "M", *abs(d.dyadic(53, -51)).to_double_exactly());
+  const double absolute = show(d, "absolute", std::ldexp(1.0, d.integer(-1000, -10)));
   certified::Axis axis;
   // Axes are products of edges, which become as short as cells.
-  const int shorter = d.coin() ? static_cast<int>(d.integer(-600, 0)) : 0;
+  const int shorter = d.coin() ? d.integer(-600, 0) : 0;
   for (double& x : axis) x = *d.dyadic(53, -51).scaled(shorter).to_double_exactly();
   const double separation = d.coin() ? *abs(d.dyadic(53, -51)).to_double_exactly() : 0;
   const certified::HeightErrorBound bound(magnitude, absolute, count, separation);
@@ -288,9 +284,6 @@ void check_derived_bound(Draw& d) {
     norm_squared += Dyadic::exact(x) * Dyadic::exact(x);
   }
   const Dyadic derived = derived_error(magnitude, absolute, count, norm);
-  show(d, "M", magnitude);
-  show(d, "absolute", absolute);
-  show(d, "roundings", count);
   show(d, "axis", axis);
   show(d, "separation", separation);
   const Dyadic apart = Dyadic::exact(separation);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kWork = 1 << 17, kPlaneWork = 1 << 28;
 
 double draw_half(Draw& d) {
-  return 0.5 * static_cast<double>(d.integer(-8, 8));
+  return 0.5 * d.integer(-8, 8);
 }
 
 Vec3<double> draw_halves(Draw& d) {
@@ -171,9 +171,8 @@ AcceptedCertificates hold_certificates(Draw& d) {
       touched = std::min(touched, root.by);
     }
   }
-  const Rational until = draw_time_near(d, witness.t);
+  const Rational until = show(d, "until", draw_time_near(d, witness.t));
   show(d, "touched", touched);
-  show(d, "until", until);
   const MovingPlane plane = draw_plane(d, query, until);
   show(d, "normal", plane.normal);
   hold_to_contact('P', plane, check_plane(query, plane, kPlaneWork).has_value());

@@ -32,21 +32,18 @@ std::array<Uv<double>, 3> draw_corners(Draw& choices, const Shape& shape) {
   return corners;
 }
 
+/// Coordinates of 53 bits.
 Points<double> draw_full_points(Draw& choices, const Shape& shape) {
-  Points<double> points(static_cast<std::size_t>(shape.control_count()));
-  for (Vec3<double>& p : points) {
-    for (int k = 0; k < 3; ++k) p[k] = *choices.dyadic(kDoubleBits, -50).to_double_exactly();
-  }
-  return points;
+  return to_doubles(draw_points(choices, shape, kDoubleBits, -50)).value();
 }
 
 /// (b): the control points of a sub-patch are off by at most eps_cp. (B, k) = (P, 3(n + m)) for
 /// tensor patches, the paper's 6n where n = m, and (2^n P, 5n) for triangles.
 void check_sub_patch_error(Draw& d) {
   constexpr int kDegree = 3;
-  const Shape shape = draw_surface(d, kDegree);
-  const auto corners = draw_corners(d, shape);
-  const Points<double> points = draw_full_points(d, shape);
+  const Shape shape = show(d, "shape", draw_surface(d, kDegree));
+  const auto corners = show(d, "corners", draw_corners(d, shape));
+  const Points<double> points = show(d, "points", draw_full_points(d, shape));
   Points<double> rounded(points.size());
   restrict_to<double>(shape, points, corners, rounded);
   Points<Dyadic> whole, exact(points.size());
@@ -56,9 +53,6 @@ void check_sub_patch_error(Draw& d) {
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   const Dyadic bound = triangle ? theorem_4_1_bound(largest.scaled(shape.n), 5 * shape.n)
                                 : theorem_4_1_bound(largest, 3 * (shape.n + shape.m));
-  show(d, "shape", shape);
-  show(d, "corners", corners);
-  show(d, "points", points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     show(d, "control point", i);
     for (int k = 0; k < 3; ++k) CLAIM(abs(Dyadic::exact(rounded[i][k]) - exact[i][k]) <= bound);
@@ -121,7 +115,7 @@ void check_coefficient_error(Draw& d) {
     return obb_frame({part.shape, part.positions, part.velocities}, 0.5, reading, side);
   };
   const ObbAxes axes(frame(0), frame(1), reading.length);
-  const auto r = static_cast<int>(d.integer(0, ObbAxes::kCount - 1));
+  const int r = d.integer(0, ObbAxes::kCount - 1);
   const Axis axis = axes[r];
   const Vec3<Dyadic> direction =
       exact_dyadic({axis.direction[0], axis.direction[1], axis.direction[2]});

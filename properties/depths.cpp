@@ -51,7 +51,7 @@ void check_depth_of_boxes(Draw& d) {
   const std::array<WholeBox, 2> boxes = {draw_whole_box(d), draw_whole_box(d)};
   const std::size_t axis = d.below(3), mover = d.below(2);
   const std::int64_t way = d.integer(-4, 4);
-  const auto radius = [&] { return static_cast<double>(d.integer(0, 8)) / 4; };
+  const auto radius = [&] { return d.integer(0, 8) / 4.0; };
   const double first = radius(), second = radius();
   Vec3<double> velocity(0, 0, 0);
   velocity[static_cast<long>(axis)] = static_cast<double>(way);
@@ -91,19 +91,16 @@ double depth_of_feature(const Query& query) {
 void check_depth_of_features(Draw& d) {
   Query query = draw_touching_at_half(
       d, [](Draw& choices) { return draw_integers(choices, 4); }, true);
-  query.t_max = static_cast<double>(d.integer(5, 8)) / 8;
+  query.t_max = d.integer(5, 8) / 8.0;
   show(d, "query", query);
-  const double depth = depth_of_feature(query);
-  show(d, "depth", depth);
+  const double depth = show(d, "depth", depth_of_feature(query));
   suppose(depth >= 0x1p-30);  // coordinates are of few bits: to round them moves them by far less
-  const int exponent = static_cast<int>(d.integer(-900, 900));
+  const int exponent = show(d, "exponent", d.integer(-900, 900));
   const Query larger = supposed(similar(query, {.space = exponent}));
-  const double scaled = std::ldexp(depth_of_feature(larger), -exponent);
-  show(d, "exponent", exponent);
-  show(d, "scaled", scaled);
+  const double scaled = show(d, "scaled", std::ldexp(depth_of_feature(larger), -exponent));
   CLAIM(std::abs(scaled - depth) <= 0x1p-50 * depth);
   Vec3<double> move;  // of at most √3·73 < 127
-  for (double& x : move) x = static_cast<double>(d.integer(-73, 73));
+  for (double& x : move) x = d.integer(-73, 73);
   for (Vec3<double>& p : query.patches[0].positions) p += move / 128 * depth;
   show(d, "moved", query.patches[0].positions);
   CLAIM(decide(query).truth.collides == true);

@@ -8,7 +8,6 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
-#include "files/case_json.hpp"
 #include "generators/round.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
@@ -85,7 +84,7 @@ void claim_at_distance(const Query& query, double size, Draw& d) {
 void check_linear_apart(Draw& d) {
   Query query = supposed(draw_linear(d));
   const double size = largest_coordinate_at_ends(query);
-  const int exponent = -static_cast<int>(d.integer(0, 12));
+  const int exponent = -d.integer(0, 12);
   query.separation = size * std::ldexp(d.pick(std::array{1.0, 1.25}), exponent);
   suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
   claim_at_distance(query, size, d);

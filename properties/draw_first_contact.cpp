@@ -12,19 +12,16 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The extent of a patch's control points along a coordinate, at any time up to t.
-double extent(const MovingPatch<double>& patch, int k, double t) {
-  double width = 0;
+/// The extents of a patch's control points along all coordinates, at any time up to t.
+Vec3<double> extents(const MovingPatch<double>& patch, double t) {
+  Vec3<double> widths(0, 0, 0);
   for (const double at : {0.0, t}) {
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      const double x = patch.positions[i][k] + at * patch.velocities[i][k];
-      lo = std::min(lo, x);
-      hi = std::max(hi, x);
-    }
-    width = std::max(width, hi - lo);
+    const Points<double> points = patch.at(at);
+    Vec3<double> lo = points[0], hi = points[0];
+    for (const Vec3<double>& p : points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+    widths = widths.cwiseMax(hi - lo);
   }
-  return width;
+  return widths;
 }
 
 }  // namespace
@@ -45,7 +42,7 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   // Between corners of steep patches, no plane of either is as far from both as the corners are.
   // Fast ones are in contact but shortly where a box of the search is.
   if (apart) {
-    const auto steep = static_cast<long>(choices.integer(0, 4));
+    const int steep = choices.integer(0, 4);
     const Dyadic fast(1, choices.integer(3, 6));
     for (ContactSide& side : scene.sides) {
       for (Vec3<Dyadic>& p : side.points) p[2] = p[2].scaled(steep);
@@ -62,7 +59,7 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   out.t = *scene.t.to_double_exactly();
   const Vec3<Dyadic>& towards = placement.frame.normal;
   if (apart) {
-    const auto exponent = static_cast<int>(choices.integer(-12, 3));
+    const int exponent = choices.integer(-12, 3);
     const Vec3<Dyadic> way(towards[0].scaled(exponent), towards[1].scaled(exponent),
                            towards[2].scaled(exponent));
     if (!move_apart(out.query, way)) return input_error("", "a number is not a double");
@@ -73,10 +70,7 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   for (int k = 0; k < 3; ++k) normal[k] = towards[k].rational().get_d();
   for (std::size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = made->query.patches[s];
-    Vec3<double> width;
-    for (int k = 0; k < 3; ++k) {
-      width[k] = kQuadratic.n * kFinePrecision * extent(patch, k, out.t);
-    }
+    const Vec3<double> width = kQuadratic.n * kFinePrecision * extents(patch, out.t);
     // At a distance the nearest points of two boxes may lie in any direction.
     reach += apart ? normal.norm() * width.norm() : normal.cwiseAbs().dot(width);
     for (const Vec3<double>& v : patch.velocities) {

@@ -80,7 +80,7 @@ void plant_contact(Draw& choices, const Dyadic& t, LinearScene& scene) {
   if (choices.coin()) {
     Vector relative = {Dyadic(), Dyadic(), Dyadic()};
     for (const LinearSide& side : scene) {
-      const Dyadic share = Dyadic(static_cast<int>(choices.integer(-1, 1)));
+      const Dyadic share = Dyadic(choices.integer(-1, 1));
       for (std::size_t i = 1; i < std::min<std::size_t>(side.corners.size(), 2); ++i) {
         const Vector edge = side.corners[i] - side.corners[0];
         const Vector turn = side.velocities[i] - side.velocities[0];
@@ -124,7 +124,7 @@ Result<Query> draw_linear(Draw& choices) {
   if (choices.choose(3) != 3) plant_contact(choices, t, scene);
   place(choices, scene);
 
-  const long scale = choices.coin() ? static_cast<long>(choices.integer(-1000, 900)) : 0;
+  const long scale = choices.coin() ? choices.integer(-1000, 900) : 0;
   Query query;
   for (std::size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];

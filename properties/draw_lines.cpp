@@ -16,10 +16,10 @@ constexpr std::int64_t kMostLines = 10;
 
 /// In (−2^4, 2^4): a quarter of an integer, or that and 53 bits.
 double draw_number(Draw& choices) {
-  const double quarters = std::ldexp(static_cast<double>(choices.integer(-63, 63)), -2);
+  const double quarters = std::ldexp(choices.integer(-63, 63), -2);
   if (!choices.coin()) return quarters;
   constexpr std::int64_t kBits = std::int64_t{1} << 53;
-  return quarters + std::ldexp(static_cast<double>(choices.integer(1 - kBits, kBits - 1)), -55);
+  return quarters + std::ldexp(choices.integer(1 - kBits, kBits - 1), -55);
 }
 
 std::vector<Line<double>> draw_lines(Draw& choices, double through_t, double through_x) {
@@ -63,7 +63,7 @@ LinePairs draw_line_pairs(Draw& choices) {
   LinePairs pairs;
   pairs.window = {std::ldexp(static_cast<double>(begin), -3),
                   std::ldexp(static_cast<double>(end), -3)};
-  const double t = choices.nudged(std::ldexp(static_cast<double>(choices.integer(0, 96)), -5), 1);
+  const double t = choices.nudged(std::ldexp(choices.integer(0, 96), -5), 1);
   const double x = draw_number(choices);
   pairs.f = draw_lines(choices, t, x);
   pairs.g = draw_lines(choices, t, -x);

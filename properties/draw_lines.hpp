@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "ccd/envelope.hpp"
 #include "ccd/line.hpp"
 #include "ccd/time_interval.hpp"
 #include "generators/draw/draw.hpp"
@@ -32,6 +34,21 @@ std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
 
 /// As Step II takes them: by rising slope. At most kMaxControls.
 Lines<double> sorted_lines(const std::vector<Line<double>>& lines);
+
+/// As Step II selects them.
+template <class Policy>
+Lines<double> selected_lines(const Policy& policy, const std::vector<Line<double>>& lines,
+                             const TimeWindow<double>& window) {
+  Lines<double> envelope;
+  upper_envelope(policy, sorted_lines(lines), window, envelope);
+  return envelope;
+}
+/// Those of f and of g.
+template <class Policy>
+std::array<Lines<double>, 2> selected_lines(const Policy& policy, const LinePairs& pairs) {
+  return {selected_lines(policy, pairs.f, pairs.window),
+          selected_lines(policy, pairs.g, pairs.window)};
+}
 
 /// For failure texts.
 std::string to_hex_text(const Line<double>& line);

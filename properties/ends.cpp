@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "certify/checker/check_linear.hpp"
-#include "files/case_json.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
@@ -50,7 +49,7 @@ void check_same_motion(Draw& d) {
   suppose(give_ends(q, d));
   const Query plain = supposed(with_velocities(q.query));
   Query past = q.query;
-  past.t_max = 1 + std::ldexp(1, -static_cast<int>(d.integer(0, 52)));
+  past.t_max = 1 + std::ldexp(1, -d.integer(0, 52));
   show(d, "query", q.query);
   CLAIM(!is_valid(past));
   claim_same_way(q.query, plain);
@@ -72,8 +71,7 @@ void check_late_linear_proof(Draw& d) {
   constexpr std::array kLinear = {Shape::point(), Shape::curve(1), Shape::triangle(1)};
   const Shape first = d.pick(kLinear), second = d.pick(kLinear);
   suppose(is_linear_pair(first, second));
-  const Case drawn = draw_contact_with_ends(d, {.shapes = {{first, second}}});
-  show(d, "contact", drawn);
+  const Case drawn = show(d, "contact", draw_contact_with_ends(d, {.shapes = {{first, second}}}));
   CLAIM(!check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}));
 }
 

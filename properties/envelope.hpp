@@ -4,6 +4,7 @@
 
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
+#include "properties/exact_lines.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {
@@ -25,9 +26,16 @@ Lines<double> envelope_of(const Policy& policy, const std::vector<Line<double>>&
 
 /// The maximum of the lines that Step II selects, raised by eps_constr, is nowhere on the window
 /// below the exact maximum of all lines. Lines and window are exact inputs.
-/// Instantiated for Plain and ErrorBoundIntended.
 template <class Policy>
 void claim_envelope_is_never_below(const std::vector<Line<double>>& lines,
-                                   const TimeWindow<double>& window);
+                                   const TimeWindow<double>& window) {
+  const ExactLines all = exact_lines(lines);
+  const ExactLines kept = exact_lines(envelope_of(Policy(), lines, window));
+  const Dyadic lo = Dyadic::exact(window.lo), hi = Dyadic::exact(window.hi);
+  // A line less the maximum of the kept ones is concave: it is greatest at a breakpoint of these.
+  for (const Instant& t : breakpoints(kept, lo, hi)) {
+    CLAIM(scaled_maximum(all, t) <= scaled_maximum(kept, t));
+  }
+}
 
 }  // namespace ccdfuzz

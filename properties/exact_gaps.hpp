@@ -81,7 +81,7 @@ struct GapSetting {
 inline GapSetting draw_gap_setting(Draw& d, const Query& query, int max_depth) {
   GapSetting s;
   s.query = query;
-  const std::int64_t depth = d.integer(0, max_depth);
+  const std::int64_t depth = show(d, "depth", d.integer(0, max_depth));
   for (std::size_t side = 0; side < 2; ++side) {
     const Shape& shape = query.patches[side].shape;
     const Cell parent = draw_cell_at(d, shape, depth - 1);
@@ -94,7 +94,6 @@ inline GapSetting draw_gap_setting(Draw& d, const Query& query, int max_depth) {
   for (std::int32_t& x : s.axis.l) x = static_cast<std::int32_t>(d.integer(-most, most));
   suppose(s.axis.norm1() > 0);
   show(d, "query", s.query);
-  show(d, "depth", depth);
   show(d, "chosen", s.chosen);
   show(d, "axis", s.axis.l);
   return s;

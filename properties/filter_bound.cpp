@@ -39,10 +39,9 @@ void check_filter(Draw& d) {
   const GapSetting setting = draw_gap_setting(d, query, 4);
   exact_ccd::Gap gap;
   setting.put(gap);
-  const double t = d.coin() ? *abs(d.dyadic(30, -30)).to_double_exactly() : 1;
+  const double t = show(d, "t", d.coin() ? *abs(d.dyadic(30, -30)).to_double_exactly() : 1);
   const exact_ccd::Extremes at = gap.extremes(t);
   const Dyadic error = Dyadic::exact(gap.error());
-  show(d, "t", t);
   show(d, "error", gap.error());
   show(d, "gaps", std::array{at.gap(0), at.gap(1)});
   const int horizon = gap.units().horizon;

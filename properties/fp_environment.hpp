@@ -1,11 +1,8 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cfenv>
 #include <cstdint>
 #include <span>
-#include <string>
 
 namespace ccdfuzz {
 
@@ -34,26 +31,5 @@ class InFpEnvironment {
 
 /// The control word of the calling thread, without the flags of exceptions past.
 std::uint32_t fp_control();
-
-/// Calls text() as the thread is, and in every environment. Returns how the first text that differs
-/// does; empty if none does. text must not format doubles, but their bits.
-template <class Text>
-std::string differs_in_some_environment(const Text& text) {
-  const std::string expected = text();
-  for (const FpEnvironment& environment : fp_environments()) {
-    std::string got;
-    std::uint32_t left = 0;
-    {
-      const InFpEnvironment in(environment);
-      got = text();
-      left = fp_control();
-    }
-    if (got != expected) return fmt::format("{}: {}\nbut else {}", environment.name, got, expected);
-    if (left != environment.control) {
-      return fmt::format("{}: leaves the control word {:#x}", environment.name, left);
-    }
-  }
-  return "";
-}
 
 }  // namespace ccdfuzz

@@ -1,7 +1,6 @@
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "generators/differential.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
@@ -72,7 +71,7 @@ void check_tangency(Draw& d) {
 /// The contact points come from their sides of the plane in FF, EF, EE and VF.
 void check_motion(Draw& d) {
   const StaticContact drawn = draw_static_contact(d);
-  const PrescribedContact contact{Dyadic(Integer(static_cast<long>(d.integer(1, 8))), -3), drawn.x};
+  const PrescribedContact contact{Dyadic(d.integer(1, 8), -3), drawn.x};
   const auto tangents = tangents_at(drawn.points[1], drawn.x[1]);
   const Vec3<Dyadic> normal = cross(tangents[0], tangents[1]);
   const auto patches = set_in_motion(drawn.points, contact, normal, drawn.contact, d);
@@ -97,8 +96,7 @@ void show_options(Draw& d, const GeneratorOptions& options) {
 
 /// Also, what has no share in the contact comes from its patch's side.
 void check_grazing(Draw& d) {
-  const ContactClass contact = d.pick(kContactClasses);
-  show(d, "class", contact);
+  const ContactClass contact = show(d, "class", d.pick(kContactClasses));
   Scene scene = supposed(paper_scene(contact, true, d));
   const PrescribedContact& at = scene.contact;
   const auto place = [&](std::size_t s) { return point_at(scene.patches[s].at(at.t), at.x[s]); };
@@ -115,7 +113,7 @@ void check_grazing(Draw& d) {
       CLAIM(above(rate, v[s]) * (s == 0 ? 1 : -1) <= 0);
     }
   }
-  part(scene, static_cast<int>(d.integer(kLeastGap, kLargestGap)));
+  part(scene, d.integer(kLeastGap, kLargestGap));
   CLAIM(above(place(1), place(0)) < 0);
 }
 
@@ -149,9 +147,8 @@ void check_generated(Draw& d) {
     suppose(is_made(options.family, options.contact, options.kind));
   }
   const Case made = is_plain ? generate(options, 0).value : generate(options, d).value;
-  const Result<void> checked = check_truth(made);
+  const Result<void> checked = show(d, "truth", check_truth(made));
   show_options(d, options);
-  show(d, "truth", checked);
   show(d, "case", made);
   CLAIM(checked.has_value());
   CLAIM(!is_plain || generate(options, 0).value == made);
@@ -172,14 +169,12 @@ void check_generated(Draw& d) {
 /// The oracle proves no contact in a generated negative, nor before clear_until in a positive.
 void check_generated_clearance(Draw& d) {
   const GeneratorOptions options = draw_regular_options(d);
-  const Case made = generate(options, 0).value;
+  const Case made = show(d, "case", generate(options, 0).value);
   suppose(made.truth.clear_until.has_value());
   const Decision decision = decide(made.query, {.max_pops = 100, .max_tree_nodes = 200});
-  const auto contact = decision.truth.contact_by();
+  const auto contact = show(d, "contact by", decision.truth.contact_by());
   if (!contact) return;
   show_options(d, options);
-  show(d, "contact by", contact);
-  show(d, "case", made);
   CLAIM(made.truth.collides == true);
   CLAIM(*made.truth.clear_until <= *contact);
 }

@@ -60,26 +60,22 @@ void check_elevation(Draw& d) {
 }
 
 void check_children_cover(Draw& d) {
-  const Shape shape = draw_shape(d, 1);
-  const Cell cell = draw_cell(d, shape, 8);
-  const Uv<Dyadic> drawn = draw_uv(d, shape, 10);
+  const Shape shape = show(d, "shape", draw_shape(d, 1));
+  const Cell cell = show(d, "cell", draw_cell(d, shape, 8));
+  const Uv<Dyadic> drawn = show(d, "uv", draw_uv(d, shape, 10));
   const Uv<Rational> uv{drawn[0].rational(), drawn[1].rational()};
   // A point is its own child.
   bool is_in_a_child = false;
   for (int c = 0; c < shape.child_count(); ++c) {
     is_in_a_child = is_in_a_child || contains(cell.child(shape, c), shape, uv);
   }
-  show(d, "shape", shape);
-  show(d, "cell", cell);
-  show(d, "uv", drawn);
   CLAIM(is_in_a_child == contains(cell, shape, uv));
 }
 
 void check_sub_patch(Draw& d) {
   constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
   const auto [shape, points, uv] = draw_patch(d, kDegree);
-  const Cell cell = draw_cell(d, shape, 8);
-  show(d, "cell", cell);
+  const Cell cell = show(d, "cell", draw_cell(d, shape, 8));
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
   Points<Dyadic> part(points.size());
   restrict_to<Dyadic>(shape, points, corners, part);

@@ -31,14 +31,11 @@ void claim_overlap(Draw& d, bool as_printed) {
   if (as_printed) return;
   // Points at rest, on the axis and on its opposite.
   const auto below = [](const std::vector<std::int64_t>& x, const std::vector<std::int64_t>& y) {
-    const TimeWindow<double> w{0, 1};
-    std::vector<Line<double>> f, g;
-    for (const std::int64_t height : x) f.push_back({0, static_cast<double>(height)});
-    for (const std::int64_t height : y) g.push_back({0, static_cast<double>(-height)});
-    std::array<Lines<double>, 2> envelopes;
-    upper_envelope(Plain(), sorted_lines(f), w, envelopes[0]);
-    upper_envelope(Plain(), sorted_lines(g), w, envelopes[1]);
-    return separation(Plain(), envelopes[0], envelopes[1], w).has_value();
+    LinePairs pairs{{}, {}, {0, 1}};
+    for (const std::int64_t height : x) pairs.f.push_back({0, static_cast<double>(height)});
+    for (const std::int64_t height : y) pairs.g.push_back({0, static_cast<double>(-height)});
+    const auto [f, g] = selected_lines(Plain(), pairs);
+    return separation(Plain(), f, g, pairs.window).has_value();
   };
   const bool separated = below(heights[0], heights[1]) || below(heights[1], heights[0]);
   CLAIM(separated == !has_common_point);
@@ -108,11 +105,11 @@ void check_eps_tau(Draw& d) {
 /// intercept just below one, get a part of their last bit more, most often about half of it.
 Crossing draw_rounded_crossing(Draw& d) {
   const auto part_of = [&](double bit) {
-    return bit * (0.5 + std::ldexp(static_cast<double>(d.integer(-127, 127)), -8));
+    return bit * (0.5 + std::ldexp(d.integer(-127, 127), -8));
   };
-  const int bits = static_cast<int>(d.integer(9, 48));
+  const int bits = d.integer(9, 48);
   const double slope = 1 + std::ldexp(static_cast<double>(d.choose(255)), -bits);
-  const double intercept = 2 - std::ldexp(static_cast<double>(d.integer(1, 4)), -52);
+  const double intercept = 2 - std::ldexp(d.integer(1, 4), -52);
   const double sign = d.coin() ? -1 : 1;
   const double more_slope = part_of(0x1p-52), more_intercept = part_of(0x1p-51);
   return {{-sign * slope, sign * intercept}, {-sign * more_slope, sign * more_intercept}};
@@ -148,21 +145,16 @@ void check_safe_root(Draw& d) {
 /// parallel to the last of them.
 void check_pull_apart_path(Draw& d) {
   const LinePairs pairs{
-      {{-1, .35}, {.5, -.25}, {.99, std::ldexp(static_cast<double>(d.integer(-8, 8)), -54) - .495}},
-      {{-1 - std::ldexp(static_cast<double>(d.integer(0, 127)), -52),
-        .5 + std::ldexp(static_cast<double>(d.integer(0, 127)), -53)},
+      {{-1, .35}, {.5, -.25}, {.99, std::ldexp(d.integer(-8, 8), -54) - .495}},
+      {{-1 - std::ldexp(d.integer(0, 127), -52), .5 + std::ldexp(d.integer(0, 127), -53)},
        {-1, .5}},
       {0, 1}};
   const ErrorBoundIntended policy;
-  std::array<Lines<double>, 2> envelopes;
-  for (std::size_t s = 0; s < 2; ++s) {
-    upper_envelope(policy, sorted_lines(s == 0 ? pairs.f : pairs.g), pairs.window, envelopes[s]);
-  }
-  const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);
+  const auto [f, g] = selected_lines(policy, pairs);
+  const auto found = separation(policy, f, g, pairs.window);
   suppose(found && !found->has_lo);
   const Dyadic lo = Dyadic::exact(found->lo);
-  const Dyadic height =
-      maximum(exact_lines(envelopes[0]), lo) + maximum(exact_lines(envelopes[1]), lo);
+  const Dyadic height = maximum(exact_lines(f), lo) + maximum(exact_lines(g), lo);
   show(d, "end", found->lo);
   show(d, "lines", pairs);
   CLAIM(height.sign() <= 0);
@@ -171,7 +163,6 @@ void check_pull_apart_path(Draw& d) {
 }  // namespace
 
 std::vector<Property> intersection_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"paper.overlap_as_printed", "Boxes overlap on an axis iff max p <= min q and max q <= min p",
        "Eqs. 3a and 3b as printed", [](Draw& d) { claim_overlap(d, true); }, kFails},

@@ -6,7 +6,6 @@
 
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "properties/show.hpp"
@@ -27,10 +26,9 @@ Answer says(Verdict verdict, double toi) {
 /// Shows the answer; the case is the caller's to show.
 void claim_judged(Draw& d, const CheckedCase& asked, const Answer& answer, Outcome expected,
                   const AnswerTerms& terms = {}) {
-  const Outcome outcome = judge(asked, answer, terms);
+  const Outcome outcome = show(d, "outcome", judge(asked, answer, terms));
   show(d, "answer", answer.verdict);
   show(d, "toi", answer.toi);
-  show(d, "outcome", outcome);
   show(d, "expected", expected);
   CLAIM(outcome == expected);
 }
@@ -52,29 +50,16 @@ Outcome outcome_by_times(const Case& known, double t_max, const Answer& answer) 
 
 /// An answer that is none, whatever it is about.
 Answer draw_nonsense(Draw& choices, double t_max) {
+  const std::array<std::optional<double>, 4> times = {
+      kNoNumber, -std::numeric_limits<double>::denorm_min(), std::nextafter(t_max, HUGE_VAL),
+      std::nullopt};
+  const std::uint64_t kind = choices.choose(6);
+  if (kind == 6) return says(Verdict::kUndecided, kNoNumber);
   Answer answer = Answer::hit(t_max);
-  switch (choices.choose(6)) {
-    case 0:
-      answer.uv[choices.choose(1)][0] = kNoNumber;
-      break;
-    case 1:
-      answer.uv[choices.choose(1)][1] = kNoNumber;
-      break;
-    case 2:
-      answer.toi = kNoNumber;
-      break;
-    case 3:
-      answer.toi = -std::numeric_limits<double>::denorm_min();
-      break;
-    case 4:
-      answer.toi = std::nextafter(t_max, HUGE_VAL);
-      break;
-    case 5:
-      answer.toi.reset();
-      break;
-    default:
-      answer = says(Verdict::kUndecided, kNoNumber);
-      break;
+  if (kind >= 2) {
+    answer.toi = times[kind - 2];
+  } else {
+    answer.uv[choices.choose(1)][kind] = kNoNumber;
   }
   return answer;
 }
@@ -129,7 +114,7 @@ Case points_that_meet(Draw& choices, double contact, double size) {
 
 void check_terms_of_time(Draw& d) {
   const double contact = sixteenths(d.integer(0, 16));
-  const double size = std::ldexp(1.0, static_cast<int>(d.integer(-40, 40)));
+  const double size = std::ldexp(1.0, d.integer(-40, 40));
   Case asked = points_that_meet(d, contact, size);
   const double t_max = sixteenths(d.integer(0, 16));
   asked.query.t_max = t_max;
@@ -172,7 +157,7 @@ void check_terms_of_time(Draw& d) {
 
 /// A point that passes a line at five times a power of two.
 void check_terms_of_space(Draw& d) {
-  const double size = std::ldexp(1.0, static_cast<int>(d.integer(-40, 40)));
+  const double size = std::ldexp(1.0, d.integer(-40, 40));
   const double passing = sixteenths(d.integer(0, 16));
   Case asked;
   auto& [point, line] = asked.query.patches;
@@ -207,11 +192,11 @@ void check_terms_of_space(Draw& d) {
 /// refuse.
 Case draw_unproven(Draw& choices) {
   const double contact = sixteenths(choices.integer(1, 16));
-  const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
+  const double size = std::ldexp(1.0, choices.integer(-40, 40));
   Case lie = points_that_meet(choices, contact, size);
   lie.query.t_max = sixteenths(choices.integer(0, 32));
   const Rational half = exact(contact / 2);
-  const long k = static_cast<long>(choices.integer(1, 15));
+  const long k = choices.integer(1, 15);
   const bool is_halved = choices.choose(31) != 31;
   const Rational later =
       is_halved ? Rational(exact(contact) * 16 / k) : exact(contact + sixteenths(k));
@@ -250,8 +235,7 @@ Case draw_unproven(Draw& choices) {
 }
 
 void check_lie(Draw& d) {
-  const Case lie = draw_unproven(d);
-  show(d, "case", lie);
+  const Case lie = show(d, "case", draw_unproven(d));
   const CheckedCase known = checked_or_unknown(lie);
   claim_judged(d, known, Answer::miss(), Outcome::kUnknown);
   claim_judged(d, known, Answer::hit(0), Outcome::kUnknown);

@@ -27,7 +27,7 @@ MovingPatch<double> patch_at(Draw& choices, const Shape& shape, double height) {
   MovingPatch<double> patch;
   patch.shape = shape;
   for (int i = 0; i < shape.control_count(); ++i) {
-    const auto small = [&] { return static_cast<double>(choices.integer(1, 8)); };
+    const auto small = [&]() -> double { return choices.integer(1, 8); };
     patch.positions.emplace_back(small(), small(), height + small());
     patch.velocities.emplace_back(small(), small(), -std::copysign(small(), height));
   }
@@ -72,9 +72,8 @@ void check_limits_of_a_file(Draw& d) {
       limit = fmt::format("has {} characters", kMaxNumberLength + past);
     }
   }
-  const Result<Case> read = parse_case(text, "file");
+  const Result<Case> read = show(d, "read", parse_case(text, "file"));
   show(d, "limit", limit);
-  show(d, "read", read);
   CLAIM(read.has_value() == (past == 0));
   CLAIM(read || names(read.error(), limit));
 }
@@ -82,19 +81,16 @@ void check_limits_of_a_file(Draw& d) {
 /// A double printed to any number of digits: enough to tell it from other doubles or not, or more,
 /// or all that there are.
 void check_long_decimals(Draw& d) {
-  const double x = std::abs(d.finite_double());
-  const auto digits = static_cast<int>(d.integer(1, 60));  // behind the first
+  const double x = show(d, "double", std::abs(d.finite_double()));
+  const int digits = d.integer(1, 60);  // behind the first
   const auto printed = [x](int count) { return fmt::format("{:.{}e}", x, count); };
-  const std::string text = printed(digits);
+  const std::string text = show(d, "printed", printed(digits));
   // No double has more than 767 significant digits.
   const std::string all = printed(800);
   const std::string rest =
       all.substr(0, all.find('e')).substr(static_cast<std::size_t>(2 + digits));
   const bool is_all = rest.find_first_not_of('0') == std::string::npos;
-  const Result<double> read = parse_exact_real({JsonKind::kNumber, text, {}, {}});
-  show(d, "double", x);
-  show(d, "printed", text);
-  show(d, "read", read);
+  const Result<double> read = show(d, "read", parse_exact_real({JsonKind::kNumber, text, {}, {}}));
   if (read) {
     CLAIM(digits <= 16 || is_all);
     CLAIM(digits < 16 || *read == x);
@@ -106,72 +102,53 @@ void check_long_decimals(Draw& d) {
 
 /// A certificate with a number of many words, which its check must multiply by others as long.
 void check_work_is_counted(Draw& d) {
-  const std::uint64_t words = 16 + d.choose(48);
+  const std::uint64_t words = show(d, "words", 16 + d.choose(48)), square = words * words;
   const Rational most = power_of_two(static_cast<long>(64 * words));
   const Rational big = (most - 1) / most;
-  const std::uint64_t square = words * words;
-  const auto counted = [&](const char* what, std::uint64_t budget, const auto& check) {
-    const Result<void> within = check(budget), freely = check(kMostWork);
-    show(d, "certificate", what);
-    show(d, "words", words);
-    show(d, "budget", budget);
-    show(d, "within", within);
-    show(d, "freely", freely);
-    CLAIM(!within);
-    CLAIM(names(within.error(), fmt::format("exceeds the work budget of {} ", budget)));
-    CLAIM(freely || !names(freely.error(), "work budget"));
-  };
-  switch (d.choose(4)) {
-    case 0: {
-      const Query query = query_of(d, Shape::triangle(2), Shape::tensor(2, 2));
-      const Witness witness{big, {Uv<Rational>{big / 2, 1 - big}, Uv<Rational>{big, big}}};
-      return counted("a witness", 256 * square, [&](std::uint64_t most_work) {
+  const Witness witness{big, {Uv<Rational>{big / 2, 1 - big}, Uv<Rational>{big, big}}};
+  const ContactRoot root{{-big.get_num(), big.get_den()}, 0, 1};
+  TreeBits tree;
+  tree.leaf({0, 0, 1});
+  enum Kind : std::size_t { kWitness, kPlane, kTree, kLinear, kRoot };
+  const auto kind = static_cast<Kind>(d.choose(kRoot));
+  show(d, "certificate", static_cast<int>(kind));
+  const Query query = kind >= kLinear ? query_of(d, Shape::point(), Shape::triangle(1))
+                                      : query_of(d, Shape::triangle(2), Shape::tensor(2, 2));
+  const std::uint64_t budget =
+      std::array{256 * square, 64 * square, 32 * words, 16 * square, 40 * square}[kind];
+  const auto check = [&](std::uint64_t most_work) -> Result<void> {
+    switch (kind) {
+      case kWitness:
         return check_contact(query, witness, most_work);
-      });
-    }
-    case 1: {
-      const Query query = query_of(d, Shape::triangle(2), Shape::curve(3));
-      const MovingPlane plane{big, {big, 0, 1}, 0};
-      return counted("a plane", 64 * square,
-                     [&](std::uint64_t most_work) { return check_plane(query, plane, most_work); });
-    }
-    case 2: {
-      const Query query = query_of(d, Shape::triangle(2), Shape::curve(3));
-      TreeBits tree;
-      tree.leaf({0, 0, 1});
-      return counted("a tree", 32 * words, [&](std::uint64_t most_work) {
+      case kPlane:
+        return check_plane(query, {big, {big, 0, 1}, 0}, most_work);
+      case kTree:
         return check_tree(query, big, tree.bytes(), most_work).map([](std::uint64_t) {});
-      });
-    }
-    case 3: {
-      const Query query = query_of(d, Shape::point(), Shape::triangle(1));
-      return counted("a linear clearance", 16 * square, [&](std::uint64_t most_work) {
+      case kLinear:
         return check_linear_clearance(query, {big, true}, most_work);
-      });
-    }
-    default: {
-      const Query query = query_of(d, Shape::point(), Shape::triangle(1));
-      const ContactRoot root{{-big.get_num(), big.get_den()}, 0, 1};
-      return counted("a root", 40 * square, [&](std::uint64_t most_work) {
+      case kRoot:
         return check_contact_root(query, root, most_work);
-      });
     }
-  }
+    return {};
+  };
+  const Result<void> within = show(d, "within", check(budget));
+  const Result<void> freely = show(d, "freely", check(kMostWork));
+  CLAIM(!within);
+  CLAIM(names(within.error(), fmt::format("exceeds the work budget of {} ", budget)));
+  CLAIM(freely || !names(freely.error(), "work budget"));
 }
 
 void check_splits(Draw& d) {
   const std::uint64_t past = d.choose(1);
-  const int side = d.coin() ? 1 : 0;
+  const int side = show(d, "side", d.coin() ? 1 : 0);
   const Query query = query_of(d, Shape::curve(1), Shape::curve(1));
   TreeBits tree;
   for (std::uint64_t i = 0; i < kMaxPartDepth + past; ++i) tree.split(side);
   for (std::uint64_t i = 0; i < kMaxPartDepth + past + 1; ++i) tree.leaf({0, 0, 1});
-  const auto checked = check_tree(query, 1, tree.bytes());
+  const auto checked = show(d, "checked", check_tree(query, 1, tree.bytes()));
   const bool is_refused =
       !checked && names(checked.error(), fmt::format("split more than {} times", kMaxPartDepth));
-  show(d, "side", side);
   show(d, "splits", kMaxPartDepth + past);
-  show(d, "checked", checked);
   CLAIM(is_refused == (past == 1));
 }
 
@@ -223,8 +200,7 @@ void check_any_case(Draw& d) {
   value.query.t_max = std::abs(numbers[0]);
   value.truth = draw_any_truth(d, value.query, draw_long_fraction);
   const std::string tree = draw_any_tree(d);
-  const Result<Case> read = parse_case(to_json(value), "file");
-  show(d, "read", read);
+  const Result<Case> read = show(d, "read", parse_case(to_json(value), "file"));
   show(d, "tree", AsHex{tree});
   CLAIM(read.has_value());
   (void)check_truth(*read);

@@ -2,7 +2,6 @@
 
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
-#include "files/case_json.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 
@@ -23,7 +22,7 @@ void check_clearance_of_linear(Draw& d) {
     clearance.until = contact->time.lo();
   }
   const bool known = !contact || contact->time.is_rational();
-  const auto eighths = d.integer(0, 16);
+  const int eighths = d.integer(0, 16);
   if (eighths == 0) {
     clearance.until = -power_of_two(-64);
   } else if (contact && (known || eighths > 8)) {
@@ -49,7 +48,7 @@ void move_along_an_edge(Draw& choices, Query& query, const Rational& t) {
   const auto corners = linear::exact_patches(query)[choices.choose(1)].at(t);
   suppose(corners.size() >= 2);
   const std::size_t from = choices.choose(corners.size() - 2);
-  const auto times = static_cast<long>(choices.integer(-3, 3));
+  const int times = choices.integer(-3, 3);
   for (int k = 0; k < 3; ++k) {
     const Rational step = times * (corners[from + 1][k] - corners[from][k]);
     for (Vec3<double>& p : query.patches[0].positions) {
@@ -83,7 +82,7 @@ enum class RootChange : std::uint8_t { kNone, kElsewhere, kMoved, kOtherTime, kE
 /// One thing of a contact's certificate changed, be it the query.
 void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& root) {
   const Rational middle = (root.from + root.by) / 2;
-  const Rational share = Rational(static_cast<long>(choices.integer(1, 7))) / 8;
+  const Rational share = Rational(choices.integer(1, 7)) / 8;
   switch (change) {
     case RootChange::kNone:
       break;
@@ -92,7 +91,7 @@ void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& ro
       break;
     case RootChange::kMoved: {
       const auto axis = static_cast<int>(choices.choose(2));
-      const double by = std::ldexp(1.0, static_cast<int>(choices.integer(-16, 2)));
+      const double by = std::ldexp(1.0, choices.integer(-16, 2));
       for (Vec3<double>& p : query.patches[choices.choose(1)].positions) p[axis] += by;
       break;
     }
@@ -114,9 +113,7 @@ void check_root_of_linear(Draw& d) {
   Query& query = asked.query;
   query = supposed(draw_linear(d));
   linear::RealRoot time = supposed(linear::first_contact(query)).time;
-  const auto change =
-      d.pick(std::array{RootChange::kNone, RootChange::kElsewhere, RootChange::kMoved,
-                        RootChange::kOtherTime, RootChange::kEarlier});
+  const auto change = static_cast<RootChange>(d.choose(4));
   ContactRoot& root = asked.truth.contact_root.emplace();
   // Shorter intervals than the oracle tries are not needed.
   constexpr int kMostRounds = 64;

@@ -21,7 +21,7 @@ Vec3<double> draw_vector(Draw& d, int exponent) {
   constexpr std::int64_t kMost = std::int64_t{1} << 40;
   Vec3<double> v;
   for (int k = 0; k < 3; ++k) {
-    v[k] = to_grid(std::ldexp(static_cast<double>(d.integer(-kMost, kMost)), exponent - 40));
+    v[k] = to_grid(std::ldexp(d.integer(-kMost, kMost), exponent - 40));
   }
   return v;
 }
@@ -35,18 +35,18 @@ constexpr int kLeastNearness = 38, kTold = 42;
 std::array<Points<double>, 2> draw_corners(Draw& d, Vec3<double>& way) {
   const Vec3<double> e = draw_vector(d, 0), other = draw_vector(d, 0);
   const double factor = d.pick(std::array{1.0, -1.0, 0.5, -0.75});
-  const int turned = static_cast<int>(d.integer(0, 52));
+  const int turned = d.integer(0, 52);
   const Vec3<double> f = factor * e + std::ldexp(1.0, -turned) * other;
   suppose(e.norm() > 0);
   way = d.coin() ? cross(e, other) : Vec3<double>(other - e * (dot(e, other) / dot(e, e)));
   suppose(way.norm() > 0);
-  const int nearness = static_cast<int>(d.integer(1, kLeastNearness));
+  const int nearness = d.integer(1, kLeastNearness);
   way *= std::ldexp(1 / way.norm(), -nearness);
   if (d.coin()) way += draw_vector(d, -nearness);
 
   const int beyond = d.coin() ? 2 : 0;
-  const double a = static_cast<double>(d.integer(-beyond, 8 + beyond)) / 8;
-  const double b = static_cast<double>(d.integer(-beyond, 8 + beyond)) / 8;
+  const double a = d.integer(-beyond, 8 + beyond) / 8.0;
+  const double b = d.integer(-beyond, 8 + beyond) / 8.0;
   const Vec3<double> p = draw_vector(d, 0), q = p + way - a * e;
   switch (d.below(4)) {
     case 0:
@@ -66,7 +66,7 @@ Query draw_near_miss(Draw& d) {
   Vec3<double> way;
   const std::array<Points<double>, 2> corners = draw_corners(d, way);
   const bool turns = d.coin(), departs = d.coin();
-  const int exponent = -static_cast<int>(d.integer(0, 40));
+  const int exponent = -d.integer(0, 40);
   const Vec3<double> common = d.coin() ? draw_vector(d, 0) : Vec3<double>(0, 0, 0);
   Query query;
   query.t_max = 1;
@@ -84,7 +84,7 @@ Query draw_near_miss(Draw& d) {
       patch.positions.push_back(departs ? p : Vec3<double>(p - patch.velocities.back()));
     }
   }
-  const int less = static_cast<int>(d.integer(1, kTold));
+  const int less = d.integer(1, kTold);
   query.separation = way.norm() * (1 - std::ldexp(1.0, -less));
   if (d.coin()) std::swap(query.patches[0], query.patches[1]);
   return query;

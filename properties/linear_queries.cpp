@@ -11,7 +11,6 @@
 #include "ccd/certified/rough_contact.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
@@ -108,7 +107,7 @@ Result<Query> draw_nearly_degenerate(Draw& choices) {
   const auto k = static_cast<int>(choices.choose(2));
   if (choices.coin()) {
     MovingPatch<double>& patch = drawn.patches[choices.choose(1)];
-    const int exponent = -static_cast<int>(choices.integer(1, 60));
+    const int exponent = -choices.integer(1, 60);
     const double gap = (choices.coin() ? -size : size) * std::ldexp(1, exponent);
     const bool one_corner = choices.coin();
     for (Vec3<double>& p : patch.positions) {
@@ -117,7 +116,7 @@ Result<Query> draw_nearly_degenerate(Draw& choices) {
     }
   }
   if (choices.coin()) {
-    const int exponent = static_cast<int>(choices.integer(-60, 60));
+    const int exponent = choices.integer(-60, 60);
     for (MovingPatch<double>& patch : drawn.patches) {
       for (Points<double>* points : {&patch.positions, &patch.velocities}) {
         for (Vec3<double>& p : *points) p[k] = std::ldexp(p[k], exponent);
@@ -135,8 +134,7 @@ bool is_at_least(linear::RealRoot instant, const Rational& t) {
 /// The oracle decides a linear query, and throws where the independent checker refuses what it
 /// says: both exact codes agree, on contacts and on absence.
 void check_decision(Draw& d) {
-  const Query query = supposed(draw_linear(d));
-  show(d, "query", query);
+  const Query query = show(d, "query", supposed(draw_linear(d)));
   const Decision decision = decide(query);
   CLAIM(decision.truth.collides.has_value());
 }
@@ -179,9 +177,9 @@ void check_doubles(Draw& d) {
   }
   begin_before(query, 0.5);
   const double length = d.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
-  const double from = d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
+  const double from = show(d, "from", d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5}));
   query.t_max = from + length * d.pick(std::array{1.0, 2.0});
-  const double width = d.pick(std::array{0x1p-44, 0x1p-40, 0x1p-20, 1.0});
+  const double width = show(d, "width", d.pick(std::array{0x1p-44, 0x1p-40, 0x1p-20, 1.0}));
   const double first = d.pick(std::array{0.0, from + width});
   certified::NormalisedQuery normalised;
   certified::normalise(query, normalised);
@@ -189,8 +187,6 @@ void check_doubles(Draw& d) {
   const RoughContact rough =
       certified::rough_contact(normalised, normal(from), normal(first), normal(width));
   suppose(rough.kind != RoughContact::Kind::kOpen);
-  show(d, "from", from);
-  show(d, "width", width);
   show(d, "time", rough.time);
   show(d, "query", query);
 

@@ -7,7 +7,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/generate.hpp"
 #include "method/setting.hpp"
@@ -119,7 +118,7 @@ void check_forged_faces(Draw& d) {
   MeshClearance late = clear, closed = clear, more = clear, fewer = {0, clear.normals, true};
   more.normals.push_back(clear.normals[n]);
   fewer.normals.erase(fewer.normals.begin() + static_cast<long>(n));
-  late.until += power_of_two(-static_cast<long>(d.integer(0, 100)));
+  late.until += power_of_two(-d.integer(0, 100));
   closed.closed = true;
   CLAIM(is_refused(more));
   CLAIM(is_refused(fewer));
@@ -135,8 +134,7 @@ Case draw_graze(Draw& d, ContactClass contact, const BodyKind& kind) {
   options.contact = contact;
   options.bodies = {kind};
   suppose(validate(options).has_value());
-  const Case known = generate(options, d).value;
-  show(d, "planted", known);
+  const Case known = show(d, "planted", generate(options, d).value);
   CLAIM(known.query.patches[mesh_side(known.query)].one_sided == is_one_sided(options.family));
   return known;
 }

@@ -2,7 +2,6 @@
 
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
@@ -22,13 +21,12 @@ constexpr std::array kEveryMethod = {
 constexpr SearchOptions kShortSearch = {0x1p-4, 60, SearchOptions().max_bytes};
 
 void check_no_state(Draw& d) {
-  const char* name = d.pick(kEveryMethod);
+  const char* name = show(d, "method", d.pick(kEveryMethod));
   const Result<Case> first = draw_contact(d, {}), second = draw_contact(d, {});
   suppose(first && second);
   const auto used = *make_method(name), fresh = *make_method(name);
   const Answer expected = fresh->answer(first->query, kShortSearch);
   used->answer(second->query, kShortSearch);
-  show(d, "method", name);
   show(d, "asked", *first);
   show(d, "asked before", *second);
   claim_same(used->answer(first->query, kShortSearch), expected);
@@ -55,7 +53,7 @@ void check_answers_make_sense(Draw& d) {
 Query draw_lifted(Draw& choices) {
   Query query = supposed(draw_contact(choices, {-2, 2, 2})).query;
   for (Vec3<double>& p : query.patches[1].positions) {
-    p[2] += std::ldexp(static_cast<double>(choices.integer(-8, 8)), -6);
+    p[2] += std::ldexp(choices.integer(-8, 8), -6);
   }
   return query;
 }
@@ -67,12 +65,12 @@ void check_agree_anywhere(Draw& d) {
   // Numbers of one size touch more often than those of any.
   if (d.coin()) {
     for (MovingPatch<double>& patch : query.patches) {
-      for_each_coordinate(patch, [&](double& x) { x = static_cast<double>(d.integer(-4, 4)); });
+      for_each_coordinate(patch, [&](double& x) { x = d.integer(-4, 4); });
     }
-    query.t_max = static_cast<double>(d.integer(0, 4));
+    query.t_max = d.integer(0, 4);
     // Their first corners meet, at a time of which they need not say so.
     if (d.coin()) {
-      const double t = static_cast<double>(d.integer(0, 4));
+      const double t = d.integer(0, 4);
       auto& [a, b] = query.patches;
       b.positions[0] = a.positions[0] + (a.velocities[0] - b.velocities[0]) * t;
     }
@@ -87,15 +85,13 @@ constexpr SearchOptions kCoarseSearch = {0.5, 60, SearchOptions().max_bytes};
 
 /// Asked up to t1 ≤ t2, a hit up to t1 and a miss up to t2 do not go together.
 void claim_monotone_in_t_max(Draw& d, const char* name) {
-  const Query longer = draw_lifted(d);
+  const Query longer = show(d, "query", draw_lifted(d));
   Query shorter = longer;
-  shorter.t_max *= std::ldexp(static_cast<double>(d.integer(0, 16)), -4);
-  const auto method = *make_method(name);
-  const Answer early = method->answer(shorter, kCoarseSearch);
-  const Answer late = method->answer(longer, kCoarseSearch);
+  shorter.t_max *= std::ldexp(d.integer(0, 16), -4);
+  const Answer early = answer_of(name, shorter, kCoarseSearch);
+  const Answer late = answer_of(name, longer, kCoarseSearch);
   show(d, "method", name);
   show(d, "t1", shorter.t_max);
-  show(d, "query", longer);
   CLAIM(early.verdict != Verdict::kHit || late.verdict != Verdict::kMiss);
 }
 
@@ -117,7 +113,7 @@ void check_far_apart(Draw& d) {
 void check_meeting_points(Draw& d) {
   constexpr std::array kSound = {"tdibm-e", "tdibm-rational", "tdibm-c"};
   const char* name = d.pick(kSound);
-  const double t = std::ldexp(static_cast<double>(d.integer(0, 8)), -3);
+  const double t = show(d, "t", std::ldexp(d.integer(0, 8), -3));
   const Vec3<double> meeting = draw_integers(d, 64);
   Query query;
   for (MovingPatch<double>& patch : query.patches) {
@@ -127,7 +123,6 @@ void check_meeting_points(Draw& d) {
     patch.positions = {Vec3<double>(meeting - v * t)};
   }
   const Answer answer = asked(d, name, query, kQuickSearch);
-  show(d, "t", t);
   CLAIM(answer.verdict == Verdict::kHit);
   CLAIM(*answer.toi <= t);
 }
@@ -135,7 +130,6 @@ void check_meeting_points(Draw& d) {
 }  // namespace
 
 std::vector<Property> method_answers_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"methods.no_state", "A method answers as a fresh one does, whatever it was asked before",
        "src/method/method.hpp", check_no_state},

@@ -1,6 +1,5 @@
 #include "case/scale.hpp"
-#include "files/case_json.hpp"
-#include "method/method.hpp"
+#include "properties/answers.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 #include "properties/symmetry.hpp"
@@ -22,22 +21,17 @@ template <std::size_t N>
 std::function<void(Draw&)> answers_alike(const std::array<const char*, N>& methods,
                                          Symmetry symmetry) {
   return [=](Draw& d) {
-    const char* method = d.pick(methods);
-    const Case before = supposed(draw_contact(d, kOrdinaryRange));
-    const Case after = supposed(transformed(before, symmetry, d));
+    const char* method = show(d, "method", d.pick(methods));
+    const Case before = show(d, "before", supposed(draw_contact(d, kOrdinaryRange)));
+    const Case after = show(d, "after", supposed(transformed(before, symmetry, d)));
     suppose(keeps_products(before.query) && keeps_products(after.query));
-    const auto answer = [&](const Query& query) {
-      return make_method(method).value()->answer(query, kQuickSearch);
-    };
-    const Answer first = answer(before.query), second = answer(after.query);
+    const Answer first = answer_of(method, before.query, kQuickSearch);
+    const Answer second = answer_of(method, after.query, kQuickSearch);
     suppose(first.verdict != Verdict::kUndecided && second.verdict != Verdict::kUndecided);
     const double t_before = before.query.t_max, t_after = after.query.t_max;
     const double unit = t_before > 0 ? t_after / t_before : 1;  // a power of two
-    show(d, "method", method);
     show(d, "toi", first.toi);
     show(d, "then", second.toi);
-    show(d, "before", before);
-    show(d, "after", after);
     CLAIM(first.verdict == second.verdict);
     CLAIM(!first.toi || *first.toi * unit == *second.toi);
   };
@@ -71,7 +65,6 @@ constexpr std::array kOrderMatters = {"tdibm", "tdibm-e", "tdibm-e-literal", "td
 }  // namespace
 
 std::vector<Property> method_symmetry_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"methods.scale", "Scaling space by a power of two changes no answer", "Section 3",
        answers_alike(kScaleFree, Symmetry::kScale)},

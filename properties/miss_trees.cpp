@@ -3,7 +3,6 @@
 
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/miss_tree.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/show.hpp"
 
@@ -35,11 +34,10 @@ void check_leaf(Draw& d) {
     for (const Vec3<double>& p : query.patches[1].at(t)) least = std::min(least, height(p));
     overlap = std::max(overlap, most - least);
   }
-  const double gap = std::ldexp(static_cast<double>(d.integer(-2, 2)), -10);
+  const double gap = show(d, "gap", std::ldexp(d.integer(-2, 2), -10));
   move_along(query, along, overlap + gap);
   TreeBits tree;
   tree.leaf(axis);
-  show(d, "gap", gap);
   show(d, "tree", AsHex{tree.bytes()});
   show(d, "query", query);
   CLAIM(check_tree(query, Rational(1), tree.bytes()).has_value() == (gap > 0));
@@ -79,8 +77,7 @@ void check_tree_form(Draw& d) {
   Query query = draw_small_query(d, 2);
   move_along(query, 0, 64);
   enum class Change : std::uint8_t { kNone, kCutOff, kMoreNodes, kMoreBytes, kTime, kLeaf };
-  const Change change = d.pick(std::array{Change::kNone, Change::kCutOff, Change::kMoreNodes,
-                                          Change::kMoreBytes, Change::kTime, Change::kLeaf});
+  const auto change = static_cast<Change>(d.choose(5));
   TreeDraw draw{d, query, {1, 0, 0}, {}};
   TreeBits& bits = draw.bits;
   constexpr int kDepth = 3;

@@ -60,11 +60,11 @@ std::function<void(Draw&)> keeps_contacts(std::string method,
 std::vector<Property> contact_claims(const std::string& method, const std::string& source,
                                      const SearchOptions& of_linear);
 
-/// Appends two claims each of tdibm-c and tdibm-rational about contacts that are drawn so:
-/// "METHOD.no_false_negative_KIND" and "METHOD.trace_KIND". of: what their sentences say after
-/// "contact", such as "of rational patches". sources: of either method.
-void add_contact_claims(std::vector<Property>& claims, const std::string& kind,
-                        const std::string& of, const std::array<std::string, 2>& sources,
-                        const DrawCase& draw);
+/// Appends two claims of a method about contacts that are drawn so: "METHOD.no_false_negativeKIND"
+/// and "METHOD.traceKIND", of which kind is "" or "_" and a word. of: what their sentences say
+/// after "contact", such as "of rational patches".
+void add_contact_claims(std::vector<Property>& claims, const std::string& method,
+                        const std::string& kind, const std::string& of, const std::string& source,
+                        const DrawCase& draw, Expectation expected = Expectation::kHolds);
 
 }  // namespace ccdfuzz

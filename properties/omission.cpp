@@ -1,4 +1,3 @@
-#include "ccd/envelope.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
@@ -10,7 +9,7 @@ namespace {
 
 /// Eq. 12.
 void check_eps_coeff(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
+  const LinePairs pairs = show(d, "lines", draw_line_pairs(d));
   ExactLines exact = exact_lines(pairs.f), off;
   const Dyadic eps_a = d.dyadic(8, -40), eps_b = d.dyadic(8, -40);
   for (const Line<Dyadic>& line : exact) {
@@ -23,7 +22,6 @@ void check_eps_coeff(Draw& d) {
   const Dyadic bound = hi * abs(eps_a) + abs(eps_b);
   show(d, "eps_a", eps_a);
   show(d, "eps_b", eps_b);
-  show(d, "lines", pairs);
   // The difference of the two maxima is linear between the breakpoints of both.
   for (const ExactLines& turning : {exact, off}) {
     for (const Instant& t : breakpoints(turning, lo, hi)) {
@@ -40,13 +38,12 @@ std::function<void(Draw&)> delta_phi_is_at_most(int factor) {
     suppose(pairs.f.size() >= 2);
     const std::size_t i = d.choose(pairs.f.size() - 1), j = d.choose(pairs.f.size() - 1);
     // Anything near the border of the decision is of interest, the rest is not.
-    const Line<double> top = pairs.f[i];
+    const Line<double> top = show(d, "top", pairs.f[i]);
     const double slope = pairs.f[j].slope, t = pairs.window.hi;
     const Line<double> line{slope, d.nudged(top.at(t) - slope * t, 20)};
     const auto exact = end_form(exact_line(top), exact_line(line), Dyadic::exact(t));
     const Dyadic eps = theorem_4_1_bound(exact.magnitude(), 3);
     suppose(-eps <= Dyadic::exact(end_form(top, line, t).value()));
-    show(d, "top", top);
     show(d, "line", line);
     show(d, "tU", t);
     CLAIM(-exact.value() <= Dyadic(factor) * eps);
@@ -56,33 +53,23 @@ std::function<void(Draw&)> delta_phi_is_at_most(int factor) {
 /// A line that is popped since the computed Phi ≤ eps_Phi exceeds its neighbours where they cross
 /// by at most 2(|b_alpha − b_(gamma−1)| + |b_gamma − b_(gamma−1)|)[(1 + eps)^4 − 1].
 void check_delta_Phi(Draw& d) {
-  const auto lines = draw_sorted(d, 3, draw_line_pairs(d).f);
+  const auto lines = show(d, "lines", draw_sorted(d, 3, draw_line_pairs(d).f));
   const ExactLines exact = exact_lines(lines);
   const auto phi = product_form(exact[0], exact[1], exact[2]);
   const Dyadic run = phi.p;
   suppose(run.sign() != 0);
   suppose(Dyadic::exact(product_form(lines[0], lines[1], lines[2]).value()) <=
           theorem_4_1_bound(phi.magnitude(), 4));
-  show(d, "lines", lines);
   // The excess is Phi / run.
   CLAIM(phi.value() <= theorem_4_1_bound((abs(phi.s) + abs(phi.q)).scaled(1), 4) * run);
 }
 
-Lines<double> selected(const LinePairs& pairs, const auto& policy, Lines<double>& sorted) {
-  Lines<double> envelope;
-  sorted = sorted_lines(pairs.f);
-  upper_envelope(policy, sorted, pairs.window, envelope);
-  return envelope;
-}
-
 void check_eps_arith(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
-  Lines<double> sorted;
-  const ExactLines kept = exact_lines(selected(pairs, ErrorBoundIntended(), sorted));
-  const ExactLines all = exact_lines(sorted);
+  const LinePairs pairs = show(d, "lines", draw_line_pairs(d));
+  const ExactLines kept = exact_lines(selected_lines(ErrorBoundIntended(), pairs.f, pairs.window));
+  const ExactLines all = exact_lines(sorted_lines(pairs.f));
   const Dyadic lo = Dyadic::exact(pairs.window.lo), hi = Dyadic::exact(pairs.window.hi);
   const Dyadic bound = eps_arith(all, hi);
-  show(d, "lines", pairs);
   // A line less the maximum of the kept ones is concave: it is greatest at a breakpoint of these.
   for (const Instant& t : breakpoints(kept, lo, hi)) {
     CLAIM(scaled_maximum(all, t) <= scaled_maximum(kept, t) + bound * t.q);
@@ -105,24 +92,22 @@ struct CountingPops : ErrorBoundIntended {
 /// Section 4.4: "each line can be pushed into and popped from the stack at most once", from which
 /// the number of lines in Eq. 16 comes.
 void check_each_line_once(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
+  const LinePairs pairs = show(d, "lines", draw_line_pairs(d));
   int pops = 0;
-  Lines<double> sorted;
-  const int left = selected(pairs, CountingPops(pops), sorted).size();
+  const int left =
+      show(d, "left", selected_lines(CountingPops(pops), pairs.f, pairs.window).size());
   show(d, "pops", pops);
-  show(d, "left", left);
-  show(d, "lines", pairs);
-  CLAIM(pops + left <= sorted.size());
+  CLAIM(pops + left <= static_cast<int>(pairs.f.size()));
 }
 
 /// Three lines, the middle one above the crossing of the others by little more than rounding. Their
 /// intercepts differ by little, so that the bound is smaller than the rounding of a shift.
 std::vector<Line<double>> draw_near_concurrent(Draw& choices) {
   std::vector<Line<double>> lines;
-  const double t = std::ldexp(static_cast<double>(choices.integer(1, 24)), -4);
-  const double x = static_cast<double>(choices.integer(-64, 64)) / 3;
+  const double t = std::ldexp(choices.integer(1, 24), -4);
+  const double x = choices.integer(-64, 64) / 3.0;
   for (int i = 0; i < 3; ++i) {
-    const double slope = std::ldexp(i + static_cast<double>(choices.integer(-8, 8)) / 20, -6);
+    const double slope = std::ldexp(i + choices.integer(-8, 8) / 20.0, -6);
     lines.push_back({slope, choices.nudged(x - slope * t, 3)});
   }
   return lines;
@@ -135,9 +120,11 @@ void claim_convex_chain(Draw& d, bool raised) {
   LinePairs pairs = draw_line_pairs(d);
   if (raised) pairs.f = draw_near_concurrent(d);
   const Policy policy;
-  Lines<double> sorted;
-  Lines<double> envelope = selected(pairs, policy, sorted);
-  if (raised) policy.raise(envelope, policy.envelope_error(sorted, {}, pairs.window.hi));
+  Lines<double> envelope = selected_lines(policy, pairs.f, pairs.window);
+  if (raised) {
+    const Lines<double> sorted = sorted_lines(pairs.f);
+    policy.raise(envelope, policy.envelope_error(sorted, {}, pairs.window.hi));
+  }
   show(d, "lines", pairs);
   show(d, "chain", envelope);
   const ExactLines chain = exact_lines(envelope);
@@ -149,7 +136,6 @@ void claim_convex_chain(Draw& d, bool raised) {
 }  // namespace
 
 std::vector<Property> omission_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"paper.eps_coeff", "Maxima of lines off by eps_a, eps_b differ by at most t^U eps_a + eps_b",
        "Eq. 12", check_eps_coeff},

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "ccd/certified/pair_split.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
@@ -83,8 +82,7 @@ class Follower final : public ExclusionObserver {
 
 void check_pair_windows(Draw& d) {
   constexpr int kLevels = 4;
-  const Case drawn = supposed(draw_contact(d, ContactRange()));
-  show(d, "contact", drawn);
+  const Case drawn = show(d, "contact", supposed(draw_contact(d, ContactRange())));
   PairSplit split;
   split.take(drawn.query);
   split.begin(kLevels);

@@ -44,9 +44,9 @@ void reorder_mesh(MovingPatch<double>& mesh, const Vec3<double>& elsewhere, Draw
 
 Query given_otherwise(Query query, Draw& d) {
   if (d.coin()) std::swap(query.patches[0], query.patches[1]);
-  const int in_space = static_cast<int>(d.integer(-8, 8));
+  const int in_space = d.integer(-8, 8);
   for (MovingPatch<double>& body : query.patches) {
-    const int length = static_cast<int>(d.integer(-8, 8));
+    const int length = d.integer(-8, 8);
     const double sign = d.coin() && body.turn && body.turn->is_quaternion() ? -1 : 1;
     if (body.turn && !body.turn->is_spin()) {
       for_each_turn_number(body, [&](double& x) { x = std::ldexp(sign * x, length); });
@@ -58,7 +58,7 @@ Query given_otherwise(Query query, Draw& d) {
     }
   }
   query.separation = std::ldexp(query.separation, in_space);
-  if (has_spins(query)) turn_axes(query, static_cast<int>(d.integer(0, 2)));
+  if (has_spins(query)) turn_axes(query, d.integer(0, 2));
   if (!has_mesh(query)) return query;
   const std::size_t side = mesh_side(query);
   reorder_mesh(query.patches[side], query.patches[1 - side].positions[0], d);
@@ -77,14 +77,13 @@ Case draw_planted(Draw& d, CaseKind kind, Family family, bool in_plane) {
                               options.contact = contact;
                               return validate(options).has_value();
                             });
-  const Case made = generate(options, d).value;
-  show(d, "planted", made);
+  const Case made = show(d, "planted", generate(options, d).value);
   return made;
 }
 
 Query draw_mutant(Draw& d, const Query& first, const Query& other) {
   Query query = mutate_query(first, other, d);
-  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
+  if (d.coin()) query.separation = std::ldexp(1.0, -d.integer(0, 20));
   show(d, "query", query);
   return query;
 }
@@ -109,8 +108,7 @@ void claim_same_time(const Truth& one, const Truth& other) {
 }
 
 void claim_same_otherwise(Draw& d, const Query& query, const Truth& truth) {
-  const Query same = given_otherwise(query, d);
-  show(d, "same", same);
+  const Query same = show(d, "same", given_otherwise(query, d));
   const Truth other = decide(same).truth;
   if (has_turns(query)) suppose(truth.collides && other.collides);
   claim_same_time(truth, other);

@@ -31,9 +31,8 @@ std::string draw_line(Draw& choices) {
 void check_line(Draw& d) {
   constexpr std::size_t kLongest = 1 << 12;
   constexpr std::uint64_t kQuestion = 7;
-  const double t_max = d.coin() ? std::abs(d.finite_double()) : 0.25;
+  const double t_max = show(d, "t_max", d.coin() ? std::abs(d.finite_double()) : 0.25);
   const std::string line = d.coin() ? draw_line(d) : d.text(kLongest);
-  show(d, "t_max", t_max);
   show(d, "line", AsHex{line});
   for (const auto& [word, meant] :
        {std::pair("miss", Verdict::kMiss), std::pair("inconclusive", Verdict::kUndecided),

@@ -107,7 +107,7 @@ Polynomial draw_terms(Draw& choices, const Shape& shape, int max_degree) {
   for (int degree = 1; degree <= max_degree; ++degree) {
     for (int b = 0; b <= degree; ++b) {
       if (!has_term(shape, degree - b, b)) continue;
-      const auto factor = static_cast<long>(choices.integer(-kLargest, kLargest));
+      const int factor = choices.integer(-kLargest, kLargest);
       drawn.push_back({degree - b, b, factor});
     }
   }
@@ -117,12 +117,12 @@ Polynomial draw_terms(Draw& choices, const Shape& shape, int max_degree) {
 /// From 1 down to where a sum with the numbers drawn here would be rounded in doubles.
 Rational draw_little(Draw& choices) {
   constexpr int kFinest = -60;
-  return power_of_two(static_cast<long>(choices.integer(kFinest, 0)));
+  return power_of_two(choices.integer(kFinest, 0));
 }
 
 /// How far above 0 the least value is to be.
 Rational draw_gap(Draw& choices, int least) {
-  const auto units = static_cast<long>(choices.integer(least, 1));
+  const int units = choices.integer(least, 1);
   return units * draw_little(choices);
 }
 
@@ -136,10 +136,9 @@ void check_quadratics(Draw& d) {
   constexpr int kMaxShapeDegree = 3;
   const Shape shape = draw_shape(d, kMaxShapeDegree);
   Polynomial drawn = draw_terms(d, shape, 2);
-  const Rational least = draw_gap(d, -1);
+  const Rational least = show(d, "least", draw_gap(d, -1));
   const Rational constant = least - least_of_quadratic(shape, drawn);
   drawn.push_back({0, 0, constant});
-  show(d, "least", least);
   CLAIM(is_seen(d, shape, coefficients_of(shape, drawn)) == (least >= 0));
 }
 
@@ -170,7 +169,7 @@ std::vector<Rational> draw_row(Draw& choices, int degree) {
   if (degree < 2 || choices.coin()) {
     std::vector<Rational> row;
     for (int k = 0; k <= degree; ++k) {
-      row.emplace_back(static_cast<long>(choices.integer(0, kLargest)));
+      row.emplace_back(choices.integer(0, kLargest));
     }
     return row;
   }
@@ -185,8 +184,8 @@ std::vector<Rational> draw_row(Draw& choices, int degree) {
 void check_rows(Draw& d) {
   constexpr int kMostDegree = 4;
   const bool triangle = d.coin();
-  const auto n = static_cast<int>(d.integer(1, kMostDegree));
-  const auto m = static_cast<int>(d.integer(1, kMostDegree));
+  const int n = d.integer(1, kMostDegree);
+  const int m = d.integer(1, kMostDegree);
   const Shape shape = triangle ? Shape::triangle(n) : Shape::tensor(n, m);
   const std::uint64_t direction = d.choose(triangle ? 2 : 1);
   std::vector<Rational> coefficients(static_cast<std::size_t>(shape.control_count()));
@@ -205,7 +204,7 @@ void check_rows(Draw& d) {
 }
 
 Rational draw_inside(Draw& choices) {
-  return Rational(static_cast<long>(choices.integer(1, 7))) / 8;
+  return Rational(choices.integer(1, 7)) / 8;
 }
 
 void exchange_parameters(Polynomial& polynomial) {
@@ -215,7 +214,7 @@ void exchange_parameters(Polynomial& polynomial) {
 /// α·(v − a)² + (β + γ·v)·(u − b)², of which all of α, β, γ are ≥ 0 and the first two above, is 0
 /// at (b, a) alone. It is seen to be ≥ 0. That less anything is not, nor that times −1.
 void check_discriminants(Draw& d) {
-  const auto factor = [&](int least) { return Rational(static_cast<long>(d.integer(least, 4))); };
+  const auto factor = [&](int least) { return Rational(d.integer(least, 4)); };
   const Rational a = draw_inside(d), b = draw_inside(d), alpha = factor(1), beta = factor(1);
   const Rational gamma = factor(0);
   const bool is_turned = d.coin();

@@ -12,13 +12,12 @@ namespace {
 /// value of the first two, t = tL or tU.
 void check_eps_Phi(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
-  const auto lines = draw_sorted(d, 3, pairs.f);
+  const auto lines = show(d, "lines", draw_sorted(d, 3, pairs.f));
   const ExactLines exact = exact_lines(lines);
   const auto phi = product_form(exact[0], exact[1], exact[2]);
   const double rounded = product_form(lines[0], lines[1], lines[2]).value();
   const Dyadic first = theorem_4_1_bound(phi.magnitude(), 4);
   const Dyadic second = theorem_4_1_bound(phi.p * (abs(phi.s) + abs(phi.q)), 4);
-  show(d, "lines", lines);
   CLAIM(abs(Dyadic::exact(rounded) - phi.value()) <= first);
   CLAIM(first <= second);
   for (const double t : {pairs.window.lo, pairs.window.hi}) {
@@ -34,18 +33,16 @@ void check_eps_Phi(Draw& d) {
 /// predicate has it, |b_alpha − b_(beta+1)|. Psi_max is the same with the roles exchanged.
 void claim_eps_psi_min(Draw& d, bool as_printed) {
   const LinePairs pairs = draw_line_pairs(d);
-  const auto f = draw_sorted(d, 2, pairs.f);
+  const auto f = show(d, "alpha, alpha + 1", draw_sorted(d, 2, pairs.f));
   std::vector<Line<double>> lower = pairs.g;  // of the negated lines
   for (Line<double>& line : lower) line = {-line.slope, -line.intercept};
-  const auto g = draw_sorted(d, 2, lower);
+  const auto g = show(d, "beta + 1, beta", draw_sorted(d, 2, lower));
   // All four differences of Psi_min have the other sign here, which changes no bit of it.
   const auto exact = product_form(exact_line(f[0]), exact_line(g[1]), exact_line(g[0]));
   const double rounded = product_form(f[0], g[1], g[0]).value();
   const Dyadic last =
       as_printed ? exact_line(f[1]).intercept - exact_line(g[0]).intercept : exact.s;
   const Dyadic magnitude = abs(exact.p) * abs(exact.q) + abs(exact.r) * abs(last);
-  show(d, "alpha, alpha + 1", f);
-  show(d, "beta + 1, beta", g);
   CLAIM(abs(Dyadic::exact(rounded) - exact.value()) <= theorem_4_1_bound(magnitude, 4));
 }
 
@@ -67,8 +64,7 @@ std::function<void(Draw&)> decisions_are_conservative(int scale) {
     }
     if (d.coin()) std::swap(lines[0], lines[2]);
     const ExactLines exact = exact_lines(lines);
-    const double t = pairs.window.hi;
-    show(d, "t", t);
+    const double t = show(d, "t", pairs.window.hi);
     show(d, "lines", lines);
     claim_conservative(product_form(lines[0], lines[1], lines[2]),
                        product_form(exact[0], exact[1], exact[2]));
@@ -80,7 +76,6 @@ std::function<void(Draw&)> decisions_are_conservative(int scale) {
 }  // namespace
 
 std::vector<Property> predicates_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"paper.eps_Phi",
        "Phi, and phi at t^L and t^U, are off by at most their eps; both bounds of Phi are in the "

@@ -55,8 +55,7 @@ void claim_refused(const Query& query, bool Features::*feature) {
   CLAIM(TakenQuery(query, others).query() == nullptr);
   for (const MethodInfo& info : registered_methods()) {
     if (info.features.*feature) continue;
-    const auto method = make_method(spec_of(info)).value();
-    CLAIM(method->answer(query, kQuickSearch).verdict == Verdict::kRefused);
+    CLAIM(answer_of(spec_of(info), query, kQuickSearch).verdict == Verdict::kRefused);
   }
 }
 
@@ -72,8 +71,7 @@ Case draw_of(Draw& d, const QueryKind& kind) {
 }
 
 void check_meaning(Draw& d, const QueryKind& kind) {
-  const Case known = draw_of(d, kind);
-  show(d, "contact", known);
+  const Case known = show(d, "contact", draw_of(d, kind));
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
   CLAIM(read && read->query == known.query);
   claim_bytes_mean(known);
@@ -104,7 +102,7 @@ void claim_judged_by_meaning(Draw& d, Case known) {
   Query& query = known.query;
   Witness& witness = *known.truth.witness;
   const std::size_t side = d.choose(1);
-  const auto steps = static_cast<long>(d.integer(-4, 4));
+  const int steps = d.integer(-4, 4);
   const Rational off = steps * power_of_two(d.pick(std::array{-6, -20}));
   switch (query.separation > 0 && d.coin() ? 5 : d.choose(5)) {
     case 0:
@@ -121,7 +119,7 @@ void claim_judged_by_meaning(Draw& d, Case known) {
     case 4: {
       const auto axis = static_cast<int>(d.choose(2));
       const double sign = d.coin() ? 1.0 : -1.0;
-      const double by = std::ldexp(sign, static_cast<int>(d.integer(-16, 8)));
+      const double by = std::ldexp(sign, d.integer(-16, 8));
       for (Vec3<double>& p : query.patches[side].positions) p[axis] += by;
       break;
     }
@@ -153,11 +151,14 @@ void add_claims_of(std::vector<Property>& claims, const QueryKind& kind) {
          const auto collides = decide_briefly(drawn.query, kFewPops).truth.collides;
          CLAIM(may_end_before || collides != false || !is_in_regions(drawn));
        }});
-  add_contact_claims(claims, kind.kind, kind.of, kind.sources, [=](Draw& d) {
+  const auto draw = [=](Draw& d) {
     Case known = draw_of(d, kind);
     suppose(is_in_regions(known));
     return known;
-  });
+  };
+  for (std::size_t i = 0; i < kMissNothing.size(); ++i) {
+    add_contact_claims(claims, kMissNothing[i], "_" + kind.kind, kind.of, kind.sources[i], draw);
+  }
 }
 
 }  // namespace ccdfuzz

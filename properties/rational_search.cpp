@@ -35,8 +35,8 @@ Points<double> draw_largest_points(Draw& d, const Shape& shape, int bits, bool p
 Query draw_query_at_limit(Draw& d, int bits, int depth) {
   Query query;
   const int max_degree = std::min(bits / 64, kMaxDegree);
-  const auto drift = static_cast<int>(d.integer(0, 9));
-  const auto mantissa = static_cast<int>(d.integer(1, bits < 256 ? 9 : 53));
+  const int drift = d.integer(0, 9);
+  const int mantissa = d.integer(1, bits < 256 ? 9 : 53);
   query.t_max = bits < 256 ? 0x1.fffp-500 : d.pick(std::array{1.0, 0x1.fffffffffffffp60});
   const bool below = d.coin();
   for (std::size_t s = 0; s < 2; ++s) {
@@ -65,8 +65,8 @@ Query draw_query_at_limit(Draw& d, int bits, int depth) {
 
 template <int Bits>
 void check_last_bit(Draw& d) {
-  const auto depth = static_cast<int>(d.integer(0, Bits < 256 ? 5 : 10));
-  const Query query = draw_query_at_limit(d, Bits, depth);
+  const int depth = d.integer(0, Bits < 256 ? 5 : 10);
+  const Query query = show(d, "query", draw_query_at_limit(d, Bits, depth));
   const auto& [a, b] = query.patches;
   const Cell first = draw_cell_at(d, a.shape, depth), second = draw_cell_at(d, b.shape, depth);
   constexpr std::int32_t kMost = std::int32_t{1} << kLimitAxisBits;
@@ -74,12 +74,10 @@ void check_last_bit(Draw& d) {
   for (std::int32_t& x : axis.l) {
     if (d.choose(7) == 7) x = d.pick(std::array{-kMost, 0, 1, kMost - 1});
   }
-  const double t = d.pick(std::array{query.t_max, 0.0});
+  const double t = show(d, "t", d.pick(std::array{query.t_max, 0.0}));
   show(d, "bits", Units::of(query).bits_needed(kLimitAxisBits, depth));
-  show(d, "query", query);
   show(d, "cells", std::array{first, second});
   show(d, "axis", axis.l);
-  show(d, "t", t);
   exact_ccd::ExactScene<WideInt<Bits>> scene;
   scene.load(query, Units::of(query));
   const std::vector<std::uint8_t> all(kMaxControls, 1);
@@ -157,7 +155,7 @@ void check_naive_search(Draw& d) {
     return *choices.lattice(fine ? 12 : 1, fine ? -6 : 0).to_double_exactly();
   });
   query.t_max = d.pick(std::array{0.0, 1.0, 0.1, 2.0});
-  const auto apart = static_cast<double>(d.integer(0, 4));
+  const double apart = d.integer(0, 4);
   for (Vec3<double>& p : query.patches[1].positions) p[0] += apart;
   const SearchOptions options{.precision = 0x1p-3, .max_pops = 10};
   show(d, "query", query);

@@ -4,7 +4,6 @@
 
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/rational/window.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/exact_gaps.hpp"
@@ -27,7 +26,7 @@ double draw_window_end(Draw& d, const Query& query, const exact_ccd::Units& unit
   const std::uint64_t kind = d.choose(2);
   if (kind < 2) return kind == 0 ? 0 : query.t_max;
   const double steps = std::floor(std::ldexp(query.t_max, -units.grid));
-  return std::ldexp(static_cast<double>(d.integer(0, static_cast<int>(steps))), units.grid);
+  return std::ldexp(d.integer(0, static_cast<int>(steps)), units.grid);
 }
 
 /// As far apart as the cells are along the axis, whose gap is h < 0 there, or up to two floats off.
@@ -45,7 +44,7 @@ void check_signs(Draw& d) {
   GapSetting s = draw_gap_setting(d, draw_hard_query(d, deep ? kMaxDegree : 3), deep ? 40 : 14);
   Gap gap;
   s.put(gap);
-  const double t = draw_window_end(d, s.query, gap.units());
+  const double t = show(d, "t", draw_window_end(d, s.query, gap.units()));
   const std::array<Rational, 2> gaps = s.gaps(exact(t));
   Integer norm_squared;
   for (const std::int64_t l : s.axis.l) norm_squared += static_cast<long>(l * l);
@@ -55,7 +54,6 @@ void check_signs(Draw& d) {
     s.put(gap);
   }
   const double scaled = gap.scaled(t);
-  show(d, "t", t);
   show(d, "separation", s.query.separation);
   CLAIM(gap.unscaled(scaled) == t);
   const Rational squared = exact(s.query.separation) * exact(s.query.separation);
@@ -147,8 +145,7 @@ std::vector<Property> rational_windows_claims() {
       {"tdibm-rational.proves_no_contact_away", "No proof of absence covers the time of a contact",
        "src/ccd/rational/proves_clear.hpp",
        [](Draw& d) {
-         const Case known = supposed(draw_contact(d, {-900, 900, 2}));
-         show(d, "contact", known);
+         const Case known = show(d, "contact", supposed(draw_contact(d, {-900, 900, 2})));
          CLAIM(!proves_clear(known.query, known.truth.witness->t, {.pops = 1000}));
        }},
   };

@@ -38,7 +38,7 @@ void check_first_contact(Draw& d) {
   if (query.patches[1].shape.kind == ShapeKind::kPoint && !apart) check_place(drawn);
   const Rational& t = drawn.truth.witness->t;
   const bool before = d.coin();
-  if (before) query.t_max = t.get_d() * (1 - std::ldexp(1.0, -static_cast<int>(d.integer(2, 6))));
+  if (before) query.t_max = t.get_d() * (1 - std::ldexp(1.0, -d.integer(2, 6)));
   show(d, "query", query);
   SearchOptions fine{.precision = 0x1p-14, .max_pops = 20'000};
   for (const std::string method : {"tdibm-c", "tdibm-rational"}) {

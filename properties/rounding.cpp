@@ -10,7 +10,7 @@ namespace {
 /// 0, or 2^-40 to 2^80 in magnitude, with up to 53 bits: no product of a few leaves the range.
 double draw_ordinary(Draw& choices) {
   constexpr int kBits = 53;
-  const auto exponent = static_cast<long>(choices.integer(-40, 27));
+  const int exponent = choices.integer(-40, 27);
   return *choices.dyadic(kBits, exponent).to_double_exactly();
 }
 
@@ -60,9 +60,8 @@ void claim_theorem_4_1(Draw& d, long exponent, long lowest) {
   std::vector<Operand> pool;
   for (std::int64_t n = d.integer(2, 4); n > 0; --n) {
     const Dyadic x = d.dyadic(kBits, exponent);
-    const double value = *x.to_double_exactly();
+    const double value = show(d, "number", *x.to_double_exactly());
     pool.push_back({value, x, abs(x), 0, exponent, exponent + kBits});
-    show(d, "number", value);
   }
   for (std::int64_t n = d.integer(1, 6); n > 0; --n) {
     const Operand& l = pool[d.choose(pool.size() - 1)];
@@ -97,12 +96,9 @@ void claim_theorem_4_1(Draw& d, long exponent, long lowest) {
 }
 
 void check_linear_bound(Draw& d) {
-  const double magnitude = std::abs(draw_ordinary(d));
-  const auto roundings = static_cast<int>(d.integer(1, 100));
-  const double bound = ErrorBoundIntended::bound(magnitude, roundings);
-  show(d, "B", magnitude);
-  show(d, "k", roundings);
-  show(d, "bound", bound);
+  const double magnitude = show(d, "B", std::abs(draw_ordinary(d)));
+  const int roundings = show(d, "k", d.integer(1, 100));
+  const double bound = show(d, "bound", ErrorBoundIntended::bound(magnitude, roundings));
   CLAIM(theorem_4_1_bound(Dyadic::exact(magnitude), roundings) <= Dyadic::exact(bound));
 }
 
@@ -127,7 +123,6 @@ void check_nextafter_is_smallest(Draw& d) {
 }  // namespace
 
 std::vector<Property> rounding_claims() {
-  constexpr auto kFails = Expectation::kFails;
   return {
       {"paper.rounding_as_printed",
        "The error of +, -, *, / is strictly less than eps times the exact result", "Section 4.3",
@@ -142,8 +137,7 @@ std::vector<Property> rounding_claims() {
        rounds_within_eps(draw_anywhere, Strictness::kWithEquality), kFails},
       {"paper.theorem_4_1",
        "The error of an expression in +, -, * is at most B[(1+eps)^k - 1], far from underflow",
-       "Theorem 4.1",
-       [](Draw& d) { claim_theorem_4_1(d, static_cast<long>(d.integer(-40, 20)), -1000); }},
+       "Theorem 4.1", [](Draw& d) { claim_theorem_4_1(d, d.integer(-40, 20), -1000); }},
       {"paper.theorem_4_1_underflow",
        "The error of an expression in +, -, * is at most B[(1+eps)^k - 1], for numbers about "
        "2^-530",

@@ -1,6 +1,5 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/shaped/features.hpp"
 #include "method/method.hpp"

@@ -12,13 +12,13 @@ namespace {
 
 /// eps_constr = t·eps_a + eps_b + eps_arith.
 void check_eps_constr(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
+  const LinePairs pairs = show(d, "lines", draw_line_pairs(d));
   const Lines<double> sorted = sorted_lines(pairs.f);
   CoefficientError error;
   error.slope = *abs(d.dyadic(53, -105)).to_double_exactly();
   error.intercept = *abs(d.dyadic(53, -105)).to_double_exactly();
   const double t = pairs.window.hi;
-  const double computed = ErrorBoundIntended::envelope_error(sorted, error, t);
+  const double computed = show(d, "computed", ErrorBoundIntended::envelope_error(sorted, error, t));
 
   const Dyadic arithmetic = eps_arith(exact_lines(sorted), Dyadic::exact(t));
   const Dyadic coefficients =
@@ -28,21 +28,19 @@ void check_eps_constr(Draw& d) {
   const Dyadic lost = coefficients * half_ulp().scaled(2);
   show(d, "eps_a", error.slope);
   show(d, "eps_b", error.intercept);
-  show(d, "computed", computed);
-  show(d, "lines", pairs);
   CLAIM(coefficients - lost + arithmetic <= Dyadic::exact(computed));
 }
 
 /// Section 4.5: pull both envelopes apart by I·delta, I the steps from the end at which the sweep
 /// began. An end of a separated interval is where these meet, or further inward.
 void check_pulled_roots(Draw& d) {
-  const LinePairs pairs = draw_line_pairs(d);
+  const LinePairs pairs = show(d, "lines", draw_line_pairs(d));
   const Lines<double> f = sorted_lines(pairs.f), g = sorted_lines(pairs.g);
   const auto draw_index = [&](const Lines<double>& lines) {
     return static_cast<int>(d.choose(static_cast<std::uint64_t>(lines.size() - 1)));
   };
-  const int i = draw_index(f);
-  const int j = draw_index(g);
+  const int i = show(d, "i", draw_index(f));
+  const int j = show(d, "j", draw_index(g));
   const ExactLines fx = exact_lines(f), gx = exact_lines(g);
   const auto [f_low, f_high] = intercept_range(fx);
   const auto [g_low, g_high] = intercept_range(gx);
@@ -61,10 +59,7 @@ void check_pulled_roots(Draw& d) {
                              : ErrorBoundIntended().right_root(f, g, i, j, pairs.window);
   // slope·end + intercept ≤ 0 inside of the root; an end at the window's own excludes nothing.
   const bool excludes = is_left ? end < pairs.window.hi : pairs.window.lo < end;
-  show(d, "i", i);
-  show(d, "j", j);
   show(d, is_left ? "tL" : "tR", end);
-  show(d, "lines", pairs);
   CLAIM(!excludes || (slope * Dyadic::exact(end) + intercept).sign() <= 0);
 }
 

@@ -8,13 +8,18 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "base/hex_bytes.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw/draw.hpp"
 #include "numeric/rational.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {
+
+/// What rows of claims say of them.
+using enum Expectation;
 
 /// Bytes that are shown as pairs of hex digits.
 struct AsHex {
@@ -60,10 +65,12 @@ std::string shown(const T& value) {
   }
 }
 
-/// Within a check: a value that a failure shows, one line each. Costs a branch otherwise.
+/// Within a check: a value that a failure shows, one line each. Costs a branch otherwise. Returns
+/// the value, so that what is drawn is named where it is drawn.
 template <class T>
-void show(Draw& draw, std::string_view name, const T& value) {
+T&& show(Draw& draw, std::string_view name, T&& value) {
   if (std::string* story = draw.story()) *story += fmt::format("\n  {} = {}", name, shown(value));
+  return std::forward<T>(value);
 }
 
 }  // namespace ccdfuzz

@@ -52,7 +52,7 @@ Rational draw_number(Draw& choices, const Rational& model) {
     case 1:
       return -model;
     case 2:
-      return model + choices.dyadic(8, static_cast<long>(choices.integer(-60, 2))).rational();
+      return model + choices.dyadic(8, choices.integer(-60, 2)).rational();
     default:
       return exact(choices.finite_double());
   }
@@ -61,7 +61,7 @@ Rational draw_number(Draw& choices, const Rational& model) {
 /// `contact` or later.
 Rational draw_late(Draw& choices, const Rational& contact) {
   if (choices.coin()) return contact;
-  return contact + abs(choices.dyadic(8, static_cast<long>(choices.integer(-60, 2)))).rational();
+  return contact + abs(choices.dyadic(8, choices.integer(-60, 2))).rational();
 }
 
 /// A tree that is another with some of its bytes changed, or says that a whole patch is outside of
@@ -83,9 +83,8 @@ std::string draw_tree(Draw& choices, const std::string& model, bool is_trimmed) 
 }
 
 void claim_tree_refused(Draw& d, const Case& known, const std::string& model) {
-  const Rational until = draw_late(d, *known.truth.contact_by());
+  const Rational until = show(d, "until", draw_late(d, *known.truth.contact_by()));
   const std::string tree = draw_tree(d, model, is_trimmed(known.query));
-  show(d, "until", until);
   show(d, "tree", AsHex{tree});
   CLAIM(!check_tree(known.query, until, tree));
 }
@@ -114,7 +113,7 @@ double draw_double_like(Draw& choices, double model) {
     case 1:
       return choices.nudged(model, 8);
     case 2:
-      return std::ldexp(model, static_cast<int>(choices.integer(-30, 30)));
+      return std::ldexp(model, choices.integer(-30, 30));
     default:
       return choices.finite_double();
   }
@@ -150,13 +149,12 @@ void claim_box_refused(Draw& d, Case known) {
 
 /// At one with each other are a contact and a clearance that does not cover it.
 void claim_texts_agree(Draw& d, const Case& known, const std::string& tree) {
-  const std::string text = draw_spoilt_text(d, to_json(known));
+  const std::string text = show(d, "text", draw_spoilt_text(d, to_json(known)));
   const Result<Case> read = parse_case(text, "input");
   if (!read || !check_truth(*read)) return;
   const Truth& truth = read->truth;
   if (!truth.clearance || !check_clearance(read->query, *truth.clearance, tree)) return;
   const auto contact = truth.contact_by();
-  show(d, "text", text);
   CLAIM(!contact || !covers(*truth.clearance, *contact));
 }
 

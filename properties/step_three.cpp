@@ -107,7 +107,7 @@ void draw_window(Draw& choices, LinePairs& pairs) {
 
 /// To where products of two of their numbers are subnormal or 0.
 void make_tiny(Draw& choices, LinePairs& pairs) {
-  const int scale = static_cast<int>(choices.integer(-545, -530));
+  const int scale = choices.integer(-545, -530);
   for (auto* lines : {&pairs.f, &pairs.g}) {
     for (Line<double>& line : *lines) {
       line = {std::ldexp(line.slope, scale), std::ldexp(line.intercept, scale)};
@@ -140,11 +140,8 @@ void claim_follows(Draw& d, const Policy& policy, const BothLists& lists,
 /// were in order past each other.
 template <class Policy>
 void claim_envelopes_follow(Draw& d, const Policy& policy, const LinePairs& pairs, double error) {
-  BothLists envelopes;
-  for (std::size_t s = 0; s < 2; ++s) {
-    upper_envelope(policy, sorted_lines(s == 0 ? pairs.f : pairs.g), pairs.window, envelopes[s]);
-    policy.raise(envelopes[s], error);
-  }
+  BothLists envelopes = selected_lines(policy, pairs);
+  for (Lines<double>& envelope : envelopes) policy.raise(envelope, error);
   claim_follows(d, policy, envelopes, pairs.window);
 }
 
@@ -160,8 +157,8 @@ void claim_lists_follow(Draw& d, const LinePairs& pairs) {
 void check_step_three(Draw& d) {
   LinePairs pairs = draw_line_pairs(d);
   draw_window(d, pairs);
-  const auto exponent = static_cast<int>(d.integer(-60, 0));
-  const double error = std::ldexp(static_cast<double>(d.integer(0, 255)), exponent);
+  const int exponent = d.integer(-60, 0);
+  const double error = std::ldexp(d.integer(0, 255), exponent);
   switch (d.choose(3)) {
     case 0:
       return claim_envelopes_follow(d, ErrorBoundIntended(), pairs, error);

@@ -18,11 +18,8 @@ struct Envelopes {
 /// few floats. There Eqs. 7, 8b and 9b are hard to judge.
 Envelopes draw_envelopes(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
-  const ErrorBoundIntended policy;
-  Envelopes drawn;
-  drawn.window = pairs.window;
-  upper_envelope(policy, sorted_lines(pairs.f), pairs.window, drawn.f);
-  upper_envelope(policy, sorted_lines(pairs.g), pairs.window, drawn.g);
+  const auto [f, g] = selected_lines(ErrorBoundIntended(), pairs);
+  Envelopes drawn{f, g, pairs.window};
   const bool at_start = d.coin(), near = d.coin();
   const Line<double>&x = at_start ? drawn.f[0] : drawn.f.back(),
         &y = at_start ? drawn.g[0] : drawn.g.back();
@@ -80,8 +77,8 @@ Walk walk(const Envelopes& e) {
 /// line is no earlier than the crossing that was missed.
 void check_eq_18(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
-  const auto f = draw_sorted(d, 2, pairs.f);
-  const Line<double> g = pairs.g[d.choose(pairs.g.size() - 1)];
+  const auto f = show(d, "f", draw_sorted(d, 2, pairs.f));
+  const Line<double> g = show(d, "g", pairs.g[d.choose(pairs.g.size() - 1)]);
   const EndValue<Dyadic> now = exact_sum(f[0], g, 0), next = exact_sum(f[1], g, 0);
   suppose(now.slope < next.slope && next.slope.sign() < 0);
   const ProductDifference<Dyadic> exact{next.slope, now.intercept, now.slope, next.intercept};
@@ -91,8 +88,6 @@ void check_eq_18(Draw& d) {
   suppose(-theorem_4_1_bound(exact.magnitude(), 4) <= Dyadic::exact(psi.value()));
   const Dyadic delta_d = std::max(abs(now.intercept), abs(next.intercept));
   const Dyadic delta = theorem_4_1_bound(delta_d.scaled(1), 4);
-  show(d, "f", f);
-  show(d, "g", g);
   // −d/c ≤ −(d' + 2 delta)/c' with c < c' < 0, times c·c' > 0.
   const Dyadic missed = now.intercept * next.slope;
   const Dyadic computed = (next.intercept + delta.scaled(1)) * now.slope;

@@ -31,8 +31,8 @@ bool reverse_time(Case& value) {
 }
 
 /// Both patches times the degrees that elevation divides by, lest it rounds.
-bool elevate(Contact& q, int side) {
-  const Shape shape = q.query.patches[static_cast<std::size_t>(side)].shape;
+bool elevate(Contact& q, size_t side) {
+  const Shape shape = q.query.patches[side].shape;
   if (shape.kind == ShapeKind::kPoint) return true;
   const Dyadic factor((shape.n + 1) * (shape.m + 1));
   bool is_exact = true;
@@ -48,8 +48,8 @@ bool elevate(Contact& q, int side) {
 }
 
 /// Cut down to any of the children that hold the contact, up to three times.
-bool cut(Contact& q, int side, Draw& choices) {
-  if (q.query.patches[static_cast<std::size_t>(side)].shape.kind == ShapeKind::kPoint) return true;
+bool cut(Contact& q, size_t side, Draw& choices) {
+  if (q.query.patches[side].shape.kind == ShapeKind::kPoint) return true;
   for (std::int64_t depth = choices.integer(1, 3); depth > 0; --depth) {
     reparametrise_patch(q, side, choices.choose(4));
     if (!restrict_patch(q, side)) return false;
@@ -75,7 +75,7 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
   out.truth.collides = true;
   out.truth.witness = value.truth.witness;
   out.expect.clear();
-  const int side = choices.coin() ? 1 : 0;
+  const size_t side = choices.choose(1);
   switch (symmetry) {
     case Symmetry::kSwapPatches:
       std::swap(out.query.patches[0], out.query.patches[1]);
@@ -99,9 +99,9 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
       break;
     }
     case Symmetry::kScale:
-      return similar(out, {.space = static_cast<int>(choices.integer(-60, 60))});
+      return similar(out, {.space = choices.integer(-60, 60)});
     case Symmetry::kScaleTime:
-      return similar(out, {.time = static_cast<int>(choices.integer(-60, 60))});
+      return similar(out, {.time = choices.integer(-60, 60)});
     case Symmetry::kTranslate:
       return similar(out, {.shift = draw_integers(choices, 256)});
     case Symmetry::kCommonVelocity:

@@ -114,14 +114,12 @@ bool has_both_sides(const Places& p, const Places& q) {
 /// One loop, or two triangles.
 void check_loops(Draw& d) {
   const bool are_two = d.coin();
-  const Loop p = draw_loop(d, are_two ? 3 : 3 + d.below(4));
+  const Loop p = show(d, "loop", draw_loop(d, are_two ? 3 : 3 + d.below(4)));
   const Places a = exact_loop(p);
-  show(d, "loop", p);
   CLAIM(fault_of({p}, kSquare).has_value() == is_spoilt(a));
   if (!are_two) return;
-  const Loop q = draw_loop(d, 3);
+  const Loop q = show(d, "other", draw_loop(d, 3));
   const Places b = exact_loop(q);
-  show(d, "other", q);
   bool is_refused = is_spoilt(a) || is_spoilt(b) || has_both_sides(a, b) || has_both_sides(b, a);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

@@ -12,7 +12,6 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/draw_trim.hpp"
@@ -44,10 +43,9 @@ void check_trim_whole(Draw& d) {
 /// Each method drops a pair of cells that holds a contact of the region only if it does so of the
 /// whole patches.
 void check_trim_traces(Draw& d) {
-  const Case known = draw_trimmed_contact(d);
+  const Case known = show(d, "contact", draw_trimmed_contact(d));
   Query whole = known.query;
   for (MovingPatch<double>& patch : whole.patches) patch.trim.clear();
-  show(d, "contact", known);
   for (const std::string method : {"tdibm", "tdibm-e", "trad", "tdibm-rational", "tdibm-c"}) {
     // Its trace of whole linear patches is that of the linear decision.
     if (method == "tdibm-c" && is_linear_query(whole)) continue;
@@ -222,8 +220,7 @@ void check_trim_moves(Draw& d) {
   for (std::uint64_t left = 1 + d.choose(4); left > 0; --left) {
     if (Contact next = q; change_trim(next, d)) q = std::move(next);
   }
-  const Case known = case_of(q);
-  show(d, "mutant", known);
+  const Case known = show(d, "mutant", case_of(q));
   CLAIM(check_truth(known).has_value());
 }
 

@@ -29,7 +29,7 @@ Uv<double> draw_place_about(Draw& d, const Shape& shape, const Cell& cell) {
     const auto along = [&](const Uv<double>& corner) { return corner[k]; };
     const auto corners = cell.corners(shape);
     const auto [lo, hi] = std::ranges::minmax(corners, {}, along);
-    place[k] = lo[k] + static_cast<double>(d.integer(0, 8)) / 8 * (hi[k] - lo[k]);
+    place[k] = lo[k] + d.integer(0, 8) / 8.0 * (hi[k] - lo[k]);
   }
   return shape.contains(exact_place(place)) ? place : anywhere;
 }
@@ -92,7 +92,7 @@ void check_trim_valid(Draw& d) {
 /// cell inside has no other.
 void check_trim_cells(Draw& d) {
   MovingPatch<double> patch{draw_surface(d, 1), {}, {}};
-  const Cell cell = draw_cell(d, patch.shape, 6);
+  const Cell cell = show(d, "cell", draw_cell(d, patch.shape, 6));
   const Uv<double> p = draw_place_about(d, patch.shape, cell);
   patch.trim = draw_trim(d, patch.shape, p);
   TrimRegion domain;
@@ -100,7 +100,6 @@ void check_trim_cells(Draw& d) {
   const TrimRegion::Cover cover = domain.cover(cell);
   show(d, "shape", patch.shape);
   show(d, "trim", patch.trim);
-  show(d, "cell", cell);
   show(d, "cover", static_cast<int>(cover));
   const auto corners = cell.corners(patch.shape);
   std::vector<Uv<Rational>> polygon;

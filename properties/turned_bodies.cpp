@@ -23,9 +23,8 @@ void check_quaternion_of_spin(Draw& d) {
   for (int k = 0; k < 3; ++k) spin.push_back(*d.dyadic(24, -22).to_double_exactly());
   suppose(!fault_of(BodyTurn{{}, {}, {0, 0, 0}, spin}));
   constexpr long kSteps = 1 << 20;
-  const Rational t = Rational(d.integer(0, kSteps)) / kSteps;
+  const Rational t = show(d, "t", Rational(d.integer(0, kSteps)) / kSteps);
   show(d, "spin", spin);
-  show(d, "t", t);
   Work work(kMostWork);
   const auto at = [&](const Rational& time) { return quaternion_of_spin(spin, time, work); };
   const auto [w, x, y, z] = at(t);
@@ -50,7 +49,7 @@ void check_spun_back(Draw& d) {
   MovingPatch<double>& body = query.patches[d.below(2)];
   body.velocities[0] = {0, 0, 0};
   const Points<double> places = body.positions;
-  const double t = static_cast<double>(d.integer(1, 64)) / 64;
+  const double t = d.integer(1, 64) / 64.0;
   spin_back(body, t, false, d);
   show(d, "query", query);
   const Points<Rational> found = points_at(body, exact(t)).rational();
@@ -63,10 +62,10 @@ void check_spun_back(Draw& d) {
 }
 
 /// So many multiples of 1/8, of size `most` at most.
-std::vector<double> draw_eighths(Draw& d, size_t count, long most) {
+std::vector<double> draw_eighths(Draw& d, size_t count, int most) {
   std::vector<double> numbers;
   for (size_t k = 0; k < count; ++k) {
-    numbers.push_back(static_cast<double>(d.integer(-8 * most, 8 * most)) / 8);
+    numbers.push_back(d.integer(-8 * most, 8 * most) / 8.0);
   }
   return numbers;
 }
@@ -96,7 +95,7 @@ void check_plane_beside(Draw& d) {
   auto& [body, far] = query.patches;
   body = {Shape::hull(2), {}, {draw_point(d)}};
   for (int i = 0; i < 2; ++i) body.positions.push_back(draw_point(d));
-  body.radius = static_cast<double>(d.integer(0, 8)) / 8;
+  body.radius = d.integer(0, 8) / 8.0;
   body.turn = draw_small_turn(d);
   const Vec3<double> normal = draw_point(d);
   suppose(normal != Vec3<double>(0, 0, 0));
@@ -135,7 +134,7 @@ void check_plane_beside(Draw& d) {
   CLAIM(highest_later <= above || !is_accepted(above, above, later));
   constexpr long kParts = 8;
   const Rational share = Rational(d.integer(1, kParts - 1)) / kParts;
-  const Rational little = power_of_two(-static_cast<long>(d.integer(1, 20)));
+  const Rational little = power_of_two(-d.integer(1, 20));
   const Rational height = (1 - share) * highest + share * highest_later + little;
   // Where |q| is not rational, points are within 2^-96 of their distance from the centre.
   const Rational rounding = power_of_two(-60);

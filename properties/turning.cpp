@@ -6,7 +6,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
@@ -64,11 +63,11 @@ void check_no_turn(Draw& d) {
   query.t_max = std::min(query.t_max, 1.0);
   const Truth plain = decide(query).truth;
   MovingPatch<double>& body = query.patches[d.below(2)];
-  const double length = static_cast<double>(d.integer(1, 8));
+  const double length = d.integer(1, 8);
   body.turn =
       d.pick(std::array{BodyTurn{{length, 0, 0, 0}, {1, 0, 0, 0}}, BodyTurn{{length, 0}, {1, 0}},
                         BodyTurn{{}, {}, {0, 0, 0}, {0, 0, 0}}});
-  for (int k = 0; k < 3; ++k) body.turn->centre[k] = static_cast<double>(d.integer(-8, 8));
+  for (int k = 0; k < 3; ++k) body.turn->centre[k] = d.integer(-8, 8);
   show(d, "query", query);
   const Truth turned = decide(query).truth;
   suppose(turned.collides.has_value());
@@ -80,12 +79,11 @@ void check_late_planes(Draw& d) {
   const Case known = draw_turning(d, CaseKind::kRP);
   BodyPlanes planes = std::get<BodyPlanes>(*known.truth.clearance);
   planes.until = known.truth.witness->t;
-  if (d.coin()) planes.until += (1 - planes.until) * static_cast<long>(d.integer(0, 64)) / 64;
+  if (d.coin()) planes.until += (1 - planes.until) * d.integer(0, 64) / 64;
   BodyPlanes::Plane& last = planes.planes.back();
   const auto change = [&](Rational& x) {
     if (d.below(3) > 0) return;
-    x = d.coin() ? Rational(-x)
-                 : Rational(x + d.dyadic(8, static_cast<long>(d.integer(-60, 2))).rational());
+    x = d.coin() ? Rational(-x) : Rational(x + d.dyadic(8, d.integer(-60, 2)).rational());
   };
   for (auto& normal : last.normals) {
     for (Rational& x : normal) change(x);

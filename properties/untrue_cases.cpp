@@ -1,7 +1,6 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
-#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
@@ -12,8 +11,8 @@ namespace {
 
 /// k·2^-e, of either sign; 0 is not rare.
 Rational draw_step(Draw& choices, int most_bits) {
-  const auto steps = static_cast<long>(choices.integer(-2, 2));
-  return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
+  const int steps = choices.integer(-2, 2);
+  return steps * power_of_two(-choices.integer(0, most_bits));
 }
 
 /// A linear query with the checker's own decision: clear up to its first contact, and the witness.

@@ -8,7 +8,6 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
@@ -45,8 +44,7 @@ void check_valid(Draw& d) {
   MovingPatch<double>& patch = query.patches[d.choose(1)];
   std::vector<double>& weights = patch.weights;
   for (std::size_t i = 0; i < query.patches[0].positions.size(); ++i) {
-    weights.push_back(d.coin() ? d.finite_double()
-                               : std::ldexp(1.5, static_cast<int>(d.integer(-31, 31))));
+    weights.push_back(d.coin() ? d.finite_double() : std::ldexp(1.5, d.integer(-31, 31)));
   }
   int lowest = 1 << 20, highest = -lowest;
   bool is_good = weights.size() == patch.positions.size();
@@ -65,15 +63,14 @@ void check_valid(Draw& d) {
 /// All weights of a patch times a power of two are the same to each method. The plain form of a
 /// method of the paper answers as it does.
 void check_scaled_weights(Draw& d) {
-  const Query query = draw_weighted_contact(d).query;
+  const Query query = show(d, "query", draw_weighted_contact(d).query);
   Query scaled = query;
-  const auto exponent = static_cast<int>(d.integer(-1000, 960));
+  const int exponent = d.integer(-1000, 960);
   for (double& w : scaled.patches[d.choose(1)].weights) w = std::ldexp(w, exponent);
-  show(d, "query", query);
   claim_answered_alike(std::array{"tdibm-c", "tdibm-rational", "tdibm", "trad"}, scaled, query,
                        kQuickSearch);
-  claim_same(make_method("tdibm").value()->answer(query, kQuickSearch),
-             make_method("tdibm@unoptimised").value()->answer(query, kQuickSearch));
+  claim_same(answer_of("tdibm", query, kQuickSearch),
+             answer_of("tdibm@unoptimised", query, kQuickSearch));
 }
 
 /// Points, edges and triangles are the same sets with weights as without. Parameters are those with
