@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "bezier/random_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
+#include "ccd/certified/midpoint_program.hpp"
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/window_trim.hpp"
 
@@ -77,6 +79,20 @@ std::pair<Rational, Rational> exact_extremes(const MovingPatch<double>& patch, c
     first = false;
   }
   return {lowest, highest};
+}
+
+TEST(MidpointProgram, CountsTheRoundingsBehindEverySlot) {
+  for (int n = 1; n <= kMaxDegree; ++n) {
+    for (const Shape& shape : {Shape::curve(n), Shape::triangle(n), Shape::tensor(n, 3)}) {
+      const MidpointProgram program(shape);
+      std::vector<int> behind(shape.control_count(), 0);
+      for (const MidpointProgram::Step s : program.steps) {
+        behind.push_back(std::max(behind[s.left], behind[s.right]) + 1);
+      }
+      EXPECT_EQ(*std::max_element(behind.begin(), behind.end()), program.roundings)
+          << to_text(shape);
+    }
+  }
 }
 
 /// The claim of DERIVATION.md, 3: a computed gap differs from the exact one by at most E.
