@@ -1,6 +1,7 @@
 // What the adapters of physics engines share: the loop of a plug-in by lines of JSON, and bodies.
 // A body is the hull of `points` about `centre`, with a ball of `radius` around each of its points; or
 // its `mesh` has `faces`, the triples of places of their corners, and may be `oneSided`.
+import { readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
 /// Thrown where an engine promises nothing of a query.
@@ -62,9 +63,12 @@ export function capsule({ points: [p, q] }, axis) {
   return { half, turn: turn.map((x) => x / Math.hypot(...turn)) };
 }
 
+/// What the engine of an adapter says that it does, with a link: promise.json beside it.
+export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.json', adapter)));
+
 /// Answers queries until the input ends. cast(a, b, way, tMax) gives the share of `way`, the motion of a
 /// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
-/// is the sentence that the engine is held to, with a link. It promises nothing of contacts at an
+/// is what the engine is held to (promiseOf). It promises nothing of contacts at an
 /// end of the step, of bodies that touch at the start or have no volume, of numbers that are no
 /// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
 /// those that it has shapes for; `plane`: they are in the plane z = 0. It may have doubles for

@@ -328,9 +328,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
     std::string proof = origin_text(value.origin);
-    auto promise = engine.word("promise");
-    if (!promise && !has_turns(value.query)) promise = engine.word("still promise");
-    if (promise) proof = fmt::format("// Promised: {}\n{}", *promise, proof);
+    if (!engine.has("still promise") || !has_turns(value.query)) {
+      proof = fmt::format("// Promised: {}\n{}", of_engine->promise, proof);
+    }
     proof += fmt::format("// {}\n", proof_text(value, engine, step, touches));
     if (delay > 0)
       proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);

@@ -22,8 +22,7 @@ namespace ccdfuzz {
 ///   numbers, __0__ to __3__.
 /// - "vertex-face", "edge-edge", "vertex-edge" and "vertex-vertex" are calls about features;
 ///   "vertex-first" says that a vertex comes before the face.
-/// - "promise" is what the engine says that it does, and where; "still promise" where that is of
-///   bodies that do not turn.
+/// - "still promise" says that what is promised is of bodies that do not turn alone.
 /// - "plane" says that bodies are those of the plane z = 0.
 /// - "call" begins the call that asks the engine. What is before it sets up the query.
 /// - "depth" is the tolerance, or "late" as a part of the way. "mesh depth" and "spin depth" are
@@ -36,6 +35,7 @@ struct EngineTemplate {
   std::string_view ending;  ///< .mjs, .cpp or .c
   std::string_view text;
   std::string_view mesh_text;  ///< find-mesh.cpp.in, a test about meshes alone, or empty
+  std::string_view promise;    ///< promise.json: what the engine says that it does, and where
 };
 /// As they were when this program was built.
 std::span<const EngineTemplate> engine_templates();

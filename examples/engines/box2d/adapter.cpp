@@ -15,8 +15,8 @@ struct Box2d {
     d.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {B2_MAX_POLYGON_VERTICES, B2_MAX_POLYGON_VERTICES}}};
     d.bodies = {{1, B2_MAX_POLYGON_VERTICES, CCDFUZZ_ANY_RADIUS}};
     d.promise =
-        "with fixed rotations the time of impact function will not miss any collisions: "
-        "https://github.com/erincatto/box2d/blob/v3.1.1/docs/collision.md#time-of-impact";
+#include "promise.json"
+        ;
     return d;
   }
 

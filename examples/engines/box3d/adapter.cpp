@@ -15,8 +15,8 @@ struct Box3d {
     d.pairs = adapter::ccd::body_pairs();
     d.bodies = {{1, 12, CCDFUZZ_ANY_RADIUS}};  // overlaps of these are measured
     d.promise =
-        "finds the earliest time at which two swept shapes touch: "
-        "https://github.com/erincatto/box3d/blob/main/docs/collision.md#time-of-impact";
+#include "promise.json"
+        ;
     return d;
   }
 

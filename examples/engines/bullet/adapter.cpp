@@ -32,9 +32,8 @@ struct Bullet {
     const bool has_margin = least_margin > 0;  // overlaps of up to 12 points are measured
     description.bodies = {{1, 12, has_margin ? CCDFUZZ_POSITIVE_RADIUS : CCDFUZZ_ANY_RADIUS}};
     description.promise =
-        "calculates the angular and linear time of impact of two convex shapes: "
-        "https://github.com/bulletphysics/"
-        "bullet3/blob/3.24/src/BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h";
+#include "promise.json"
+        ;
     description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
     description.tolerance = 1e-3;              // as near it stops (calcTimeOfImpact)
     if (spins) description.tolerance += 1e-4;  // what rounding 443 from a centre adds

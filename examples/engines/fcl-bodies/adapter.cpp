@@ -23,9 +23,8 @@ struct FclBodies {
     description.pairs = ccd::body_pairs();
     description.bodies = {{1, 1, CCDFUZZ_POSITIVE_RADIUS}, {4, 4, CCDFUZZ_NO_RADIUS}};
     description.promise =
-        "continuous collision checking, each motion of constant linear and angular velocity: "
-        "https://github.com/flexible-collision-library/fcl/blob/0.7.0/include/fcl/math/motion/"
-        "interp_motion.h";
+#include "promise.json"
+        ;
     description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
     description.tolerance = kTimeError;
     return description;

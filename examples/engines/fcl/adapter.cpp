@@ -12,9 +12,8 @@ struct Fcl {
     description.claims = CCDFUZZ_ORDINARY;  // neither a contact at 0 nor one at the end
     description.within = 14;
     description.promise =
-        "CCD intersection of a vertex and a face, and of two edges: https://github.com/"
-        "flexible-collision-library/fcl/blob/0.7.0/include/fcl/narrowphase/detail/traversal/"
-        "collision/intersect.h";
+#include "promise.json"
+        ;
     description.pairs = adapter::ccd::linear_pairs();
     // It gives the middle of an interval of this width (getCcdResolution).
     description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;

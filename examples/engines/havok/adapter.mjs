@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import HavokPhysics from '@babylonjs/havok';
 
-import { Refusal, ball, serve, solid } from '../bodies.mjs';
+import { Refusal, ball, promiseOf, serve, solid } from '../bodies.mjs';
 
 const wasm = fileURLToPath(import.meta.resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm'));
 const manifest = new URL('../../package.json', `file://${wasm}`);
@@ -62,7 +62,6 @@ function cast(a, b, way) {
 }
 
 // It states no tolerance: an overlap less deep than this is not held against it.
-const promise = 'a shape cast gives the fraction of the way at which a moving shape touches a body: ' +
-  'https://doc.babylonjs.com/features/featuresDeepDive/physics/shapeCast';
+const promise = promiseOf(import.meta.url);
 const capsule = { least_points: 2, most_points: 2, radius: 'positive' };
 await serve({ name: 'Havok', version, promise, tolerance: 1e-4, bodies: [ball, capsule, solid] }, cast);

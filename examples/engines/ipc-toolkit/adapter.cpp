@@ -29,8 +29,8 @@ struct IpcToolkit {
     d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE_RELATIVE;
     d.tolerance = std::min(1., 3.5 * (1 - method.conservative_rescaling));
     d.promise =
-        "not provably conservative, but very robust due to the gaps and conservative rescaling: "
-        "https://github.com/ipc-sim/ipc-toolkit/blob/v1.6.0/src/ipc/ccd/additive_ccd.hpp";
+#include "promise.json"
+        ;
     return d;
   }
 

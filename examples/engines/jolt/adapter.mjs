@@ -3,7 +3,7 @@
 import { createRequire } from 'node:module';
 import initJolt from 'jolt-physics/wasm-compat';
 
-import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
+import { Refusal, ball, capsule, promiseOf, serve, solid, stick } from '../bodies.mjs';
 import { meshRounding, registerShapes, triangles } from './shapes.mjs';
 
 const { version } = createRequire(import.meta.url)('jolt-physics/package.json');
@@ -60,8 +60,7 @@ function cast(a, b, way) {
   return collector.HadHit() ? collector.mHit.mFraction : undefined;
 }
 
-const promise = 'CastShape finds the first hit of a shape that moves along a way: ' +
-  'https://jrouwe.github.io/JoltPhysics/class_narrow_phase_query.html';
+const promise = promiseOf(import.meta.url);
 const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
 const hello = { name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, stick, solid],
                 sides: [1, 2], meshTolerance: tolerance + meshRounding };

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
+import { Refusal, ball, capsule, promiseOf, serve, solid, stick } from '../bodies.mjs';
 import { triangles } from './mesh.mjs';
 
 const require = createRequire(import.meta.url);
@@ -64,8 +64,7 @@ function sweep(a, b, way) {
 }
 
 // It states no tolerance: an overlap less deep than this is not held against it.
-const promise = 'a sweep gives the distance at which a moving shape touches another: ' +
-  'https://nvidia-omniverse.github.io/PhysX/physx/5.6.1/docs/GeometryQueries.html';
+const promise = promiseOf(import.meta.url);
 const hello = { name: 'PhysX', version: `5 (physx-js-webidl ${version})`, promise, tolerance: 1e-4,
                 bodies: [ball, stick, solid], sides: [1, 2] };
 await serve(hello, (...query) => {

@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { Circle, Edge, Polygon, Settings, Sweep, TOIInput, TOIOutput, TOIOutputState, TimeOfImpact }
   from 'planck';
 
-import { GaveUp, Refusal, ball, serve } from '../bodies.mjs';
+import { GaveUp, Refusal, ball, promiseOf, serve } from '../bodies.mjs';
 
 const manifest = new URL('../package.json', `file://${createRequire(import.meta.url).resolve('planck')}`);
 const { version } = JSON.parse(readFileSync(manifest));
@@ -49,8 +49,7 @@ function cast(a, b, _, tMax) {
 }
 
 // Two circles stop where they overlap by three slops, and a quarter of one is its tolerance.
-const promise = 'with fixed rotations the time of impact function will not miss any collisions: ' +
-  'https://github.com/piqnt/planck.js/blob/master/docs/pages/collision.md#time-of-impact';
+const promise = promiseOf(import.meta.url);
 const spins = 'none of bodies that spin: its documentation says that it may miss collisions';
 const polygon = { least_points: 2, most_points: Settings.maxPolygonVertices, radius: 'zero' };
 await serve({ name: 'planck', version, promise, spins, tolerance: 3.25 * slop, bodies: [ball, polygon],

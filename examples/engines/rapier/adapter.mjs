@@ -1,7 +1,7 @@
 // Rapier (npm @dimforge/rapier3d-compat): the time of impact of two shapes, by castShape.
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { Refusal, ball, capsule, serve } from '../bodies.mjs';
+import { Refusal, ball, capsule, promiseOf, serve } from '../bodies.mjs';
 
 const quiet = console.warn;
 console.warn = () => {};
@@ -37,8 +37,7 @@ const still = vector([0, 0, 0]);
 // The target distance, 0, came with version 0.13.
 const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 // It states no tolerance. Versions before 0.20 stay within this one.
-const promise = 'casting a shape gives the first time of impact: ' +
-  'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
+const promise = promiseOf(import.meta.url);
 const bodies = [ball, { least_points: 2, most_points: 12 }];
 const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies, sides: [2] };
 await serve(hello, (a, b, way) => {

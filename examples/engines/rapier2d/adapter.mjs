@@ -1,7 +1,7 @@
 // Rapier in 2-D (npm @dimforge/rapier2d-compat): the time of impact of two shapes, by castShape.
 import RAPIER from '@dimforge/rapier2d-compat';
 
-import { Refusal, ball, serve } from '../bodies.mjs';
+import { Refusal, ball, promiseOf, serve } from '../bodies.mjs';
 
 const quiet = console.warn;
 console.warn = () => {};
@@ -35,8 +35,7 @@ function shape({ points, radius, half }) {
 // The target distance, 0, came with version 0.13.
 const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 const still = vector([0, 0]);
-const promise = 'casting a shape gives the first time of impact: ' +
-  'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
+const promise = promiseOf(import.meta.url);
 const bodies = [ball, { least_points: 2, most_points: 2, radius: 'zero' },
                 { least_points: 3, most_points: 12 }];
 const hello = { name: 'Rapier 2-D', version: RAPIER.version(), promise, tolerance: 1e-4, bodies,

@@ -25,8 +25,8 @@ struct TdibCcd {
     d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE_RELATIVE;
     d.tolerance = std::min(1., 32 * precision);
     d.promise =
-        "the official implementation of a time-dependent inclusion-based method: "
-        "https://github.com/xw-c/TDIB-CCD#tdib-ccd";
+#include "promise.json"
+        ;
     return d;
   }
 

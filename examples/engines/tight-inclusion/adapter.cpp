@@ -25,8 +25,8 @@ struct TightInclusion {
     d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
     d.tolerance = tolerance;
     d.promise =
-        "conservative: a result of false implies that no collision occurs: "
-        "https://github.com/Continuous-Collision-Detection/Tight-Inclusion#details";
+#include "promise.json"
+        ;
     return d;
   }
 
