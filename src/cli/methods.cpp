@@ -13,10 +13,6 @@ namespace ccdfuzz {
 
 namespace {
 
-struct MethodsOptions {
-  std::vector<std::string> specs;
-};
-
 /// All that are registered and the two kinds of plug-ins, or those that were named. Throws BadInput
 /// for one that there is not, and for a plug-in that fails to say what it is.
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
@@ -56,8 +52,8 @@ void print_switches(const std::vector<MethodInfo>& infos) {
   }
 }
 
-int run_methods(const MethodsOptions& options, Session& session) {
-  const std::vector<MethodInfo> infos = method_infos_of(options.specs);
+int run_methods(const std::vector<std::string>& specs, Session& session) {
+  const std::vector<MethodInfo> infos = method_infos_of(specs);
   if (session.json) {
     for (const MethodInfo& info : infos) {
       print_row([&](auto& row) {
@@ -78,7 +74,7 @@ int run_methods(const MethodsOptions& options, Session& session) {
                 info.description);
     // With all methods, the list would be longer than a terminal.
     const std::vector<std::string> words = words_of(info.features);
-    if (!options.specs.empty() && !words.empty()) {
+    if (!specs.empty() && !words.empty()) {
       print_out(fmt::format("    takes {}\n",
                             wrapped(fmt::format("{}", fmt::join(words, ", ")), 10, 10)));
     }
@@ -92,10 +88,10 @@ int run_methods(const MethodsOptions& options, Session& session) {
 }  // namespace
 
 void add_methods(CommandLine& line) {
-  auto [command, options] =
-      line.add<MethodsOptions>("methods", "List the methods and their guarantees", run_methods);
+  auto [command, specs] = line.add<std::vector<std::string>>(
+      "methods", "List the methods and their guarantees", run_methods);
   command.example("what a plug-in says of itself", "methods plugin:./libmine.so");
-  command.texts("method", options->specs,
+  command.texts("method", *specs,
                 "Only these, as --methods takes them, and what they take; plug-ins, too");
   command.json("One JSON object per line");
 }

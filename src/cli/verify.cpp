@@ -14,10 +14,6 @@ namespace ccdfuzz {
 
 namespace {
 
-struct VerifyOptions {
-  std::vector<std::string> files;
-};
-
 enum class Standing {
   kHolds,          ///< whether the patches touch in [0, t_max] is proven by a certificate
   kHoldsByMethod,  ///< that they do not has no certificate: the exact method found it again
@@ -85,11 +81,11 @@ Verified verify(const NamedCase& named) {
   return {named.id, Standing::kHoldsByMethod};
 }
 
-int run_verify(const VerifyOptions& options, Session& session) {
+int run_verify(const std::vector<std::string>& files, Session& session) {
   std::array<std::uint64_t, all_of(Standing{}).size()> counts{};
   session.begin_table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   session.each_case<Verified>(
-      CaseStream(options.files), [](const NamedCase& named) { return verify(named); },
+      CaseStream(files), [](const NamedCase& named) { return verify(named); },
       [&](const NamedCase&, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
@@ -112,11 +108,11 @@ int run_verify(const VerifyOptions& options, Session& session) {
 }  // namespace
 
 void add_verify(CommandLine& line) {
-  auto [command, options] = line.add<VerifyOptions>(
+  auto [command, files] = line.add<std::vector<std::string>>(
       "verify", "Check the certificates of cases in exact arithmetic", run_verify);
   command.example("a data set", "verify vv.jsonl.zst");
   command
-      .texts("case", options->files,
+      .texts("case", *files,
              "Case files: .json, .jsonl, .jsonl.zst or .csv. Absence without a certificate is "
              "counted apart, as \"by method\"")
       .required();

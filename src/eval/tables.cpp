@@ -145,9 +145,8 @@ Table paper_table_1(const Rows& rows) {
 }
 
 Table paper_table_2(const Rows& rows) {
-  std::vector<Row> halves = at_contact(rows, {kRegularKinds, kGrazingKinds});
-  std::ranges::stable_partition(halves,
-                                [](const Row& row) { return row.key.kind == kRegularKinds; });
+  std::vector<Row> halves = at_contact(rows, {kRegularKinds});
+  std::ranges::copy(at_contact(rows, {kGrazingKinds}), std::back_inserter(halves));
   return paper_table(std::move(halves));
 }
 
