@@ -8,10 +8,8 @@
 
 #include "base/verify.hpp"
 #include "bezier/trim.hpp"
+#include "files/body_json.hpp"
 #include "files/expected_json.hpp"
-#include "files/mesh_json.hpp"
-#include "files/query_json.hpp"
-#include "files/turn_json.hpp"
 #include "io/fields.hpp"
 
 namespace ccdfuzz {

@@ -28,6 +28,10 @@ struct JsonForm<Case> {
 /// outcome. Only `origin` may hold keys of its own, with strings or numbers, which are kept.
 Result<Case> parse_case(std::string_view json, const std::string& file);
 
+/// Reads the query of a JSON text that has patches and t_max as a case does, whatever else it has.
+/// Errors: as parse_case.
+Result<Query> parse_query(std::string_view json, const std::string& file);
+
 enum class JsonLayout : std::uint8_t {
   kOneLine,   ///< for data sets
   kReadable,  ///< readable_json: for files that people read and compare

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "files/query_json.hpp"
+#include "files/case_json.hpp"
 #include "io/fields.hpp"
 #include "io/serve.hpp"
 #include "method/plugin/feature_claims.hpp"
