@@ -68,16 +68,13 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   });
 }
 
-/// The cases of a file: a case file or a query CSV, or an input of a fuzz target. Errors: it is
-/// none.
-Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
-  if (case_file_kind(path) || path.ends_with(".csv")) return read_checked_cases(path);
+/// The cases of an input of a fuzz target. Errors: it is none.
+Result<std::vector<Case>> fuzzed_cases(const std::string& path) {
   CCDFUZZ_TRY(const std::vector<std::uint8_t> bytes, read_bytes(path));
-  std::vector<NamedCase> cases;
-  for (Case& value : cases_of(bytes)) {
+  std::vector<Case> cases = cases_of(bytes);
+  for (Case& value : cases) {
     value.origin.generator = "mutant";
     value.origin.note = "by fuzzing";
-    cases.push_back({path, std::move(value)});
   }
   if (cases.empty()) {
     return input_error(path,
@@ -196,16 +193,23 @@ class TriageRun {
       };
       session_.say(row, fmt::format("{}: {}\n", to_text(failure), path));
     };
-    go(files, [&](const std::string& file) {
-      return cases_of_file(file).map([&](const std::vector<NamedCase>& cases) {
-        const std::uint64_t refuting = triage.tally().refuting;
-        for (const NamedCase& input : cases) {
-          if (is_over()) return false;
-          at = input.id;
-          need(triage.add(input.value, tell));
+    const auto add = [&](const std::string& id, const Case& input) {
+      at = id;
+      if (!is_over()) need(triage.add(input, tell));
+    };
+    go(files, [&](const std::string& file) -> Result<bool> {
+      const std::uint64_t refuting = triage.tally().refuting;
+      if (case_file_kind(file) || file.ends_with(".csv")) {
+        for (CaseStream cases({file}); !is_over();) {
+          CCDFUZZ_TRY(const auto input, next_checked(cases));
+          if (!input) break;
+          add(input->id, input->value);
         }
-        return !is_over() && triage.tally().refuting == refuting;
-      });
+      } else {
+        CCDFUZZ_TRY(const std::vector<Case> inputs, fuzzed_cases(file));
+        for (const Case& input : inputs) add(file, input);
+      }
+      return !is_over() && triage.tally().refuting == refuting;
     });
     counts_.tally = triage.tally();
   }

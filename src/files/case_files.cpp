@@ -52,7 +52,7 @@ class JsonCases : public CaseFile {
           whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
       CCDFUZZ_TRY(auto value, parse_case(*text, id));
       any_ = true;
-      return NamedCase{id, std::move(value), lines_.path(), nullptr, text->size()};
+      return NamedCase{id, std::move(value), lines_.path()};
     }
   }
   std::uint64_t position() const override { return lines_.position(); }
@@ -73,14 +73,12 @@ class CsvCases : public CaseFile {
   CsvCases(CsvReader reader, bool round) : reader_(std::move(reader)), round_(round) {}
 
   Result<std::optional<NamedCase>> next() override {
-    const std::uint64_t before = reader_.position();
     CCDFUZZ_TRY(auto rows, reader_.next());
     if (!rows) return std::nullopt;
     CCDFUZZ_TRY(auto value, to_case(*rows, round_, index_++));
     const CsvQuery& query = *rows;
     return NamedCase{query.id(), std::move(value), query.path,
-                     std::make_shared<const CsvQuery>(*std::move(rows)),
-                     reader_.position() - before};
+                     std::make_shared<const CsvQuery>(*std::move(rows))};
   }
   std::uint64_t position() const override { return reader_.position(); }
 
@@ -175,25 +173,6 @@ Result<NamedCase> read_case(const std::string& path) {
   CCDFUZZ_TRY(const auto second, stream.next());
   if (second) return input_error(path, "holds more than one case");
   return *std::move(first);
-}
-
-Result<std::vector<NamedCase>> read_cases(const std::string& path) {
-  std::vector<NamedCase> cases;
-  CaseStream stream({path});
-  std::uint64_t bytes = 0;
-  for (;;) {
-    CCDFUZZ_TRY(auto next, stream.next());
-    if (!next) return cases;
-    bytes += next->bytes;
-    if (bytes + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
-      return input_error(next->id,
-                         fmt::format("the cases so far take more than {} bytes, the most that this "
-                                     "command holds in memory",
-                                     kMostBytesHeld));
-    }
-    cases.push_back(*std::move(next));
-    cases.back().rows.reset();
-  }
 }
 
 void CaseWriter::FreeContext::operator()(ZSTD_CCtx_s* context) const {

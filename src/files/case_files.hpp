@@ -21,7 +21,6 @@ struct NamedCase {
   Case value;
   std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
   std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
-  std::uint64_t bytes = 0;                    ///< the length of its text in the file
   double share = 0;  ///< how much of the files of its CaseStream had been read then, in [0, 1]
 };
 
@@ -84,14 +83,6 @@ class CaseStream {
 
 /// The only case of a file. Errors: as CaseStream; there are more.
 Result<NamedCase> read_case(const std::string& path);
-
-/// A command that needs all cases at once holds at most this many bytes of them. Each counts as its
-/// text and sizeof(NamedCase). These are some 10,000 cases of two tensor(8,8) and 200,000 of two
-/// points.
-inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
-
-/// All cases of a file at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.
-Result<std::vector<NamedCase>> read_cases(const std::string& path);
 
 /// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at
 /// all. Endings as for reading; a .json takes one case. Errors: another ending, a full disk, a

@@ -35,23 +35,25 @@ Result<CheckedCase> check_case(const NamedCase& named) {
   return tl::unexpected(std::move(error));
 }
 
+Result<std::optional<NamedCase>> next_checked(CaseStream& cases) {
+  CCDFUZZ_TRY(auto next, cases.next());
+  if (next) CCDFUZZ_TRY_VOID(check_in_run(*next));
+  return next;
+}
+
 Result<void> for_each_checked_case(const std::vector<std::string>& paths,
                                    const std::function<Result<void>(const NamedCase&)>& visit) {
   CaseStream cases(paths);
   for (;;) {
-    CCDFUZZ_TRY(const auto next, cases.next());
+    CCDFUZZ_TRY(const auto next, next_checked(cases));
     if (!next) return {};
-    CCDFUZZ_TRY_VOID(check_in_run(*next));
     CCDFUZZ_TRY_VOID(visit(*next));
   }
 }
 
-Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
-  CCDFUZZ_TRY(auto cases, read_cases(path));
-  for (const NamedCase& named : cases) {
-    CCDFUZZ_TRY_VOID(check_in_run(named));
-  }
-  return cases;
+Result<NamedCase> read_checked_case(const std::string& path) {
+  CCDFUZZ_TRY(auto named, read_case(path));
+  return check_in_run(named).map([&] { return std::move(named); });
 }
 
 }  // namespace ccdfuzz

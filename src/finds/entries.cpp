@@ -1,6 +1,5 @@
 #include "finds/entries.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "files/check_file.hpp"
@@ -36,12 +35,12 @@ Result<void> for_each_entry(const std::string& folder,
                             const std::function<void(const NamedCase&)>& visit) {
   CCDFUZZ_TRY(const auto paths, list_entries(folder));
   for (const std::string& path : paths) {
-    const auto cases = read_checked_cases(path);
+    const auto entry = read_checked_case(path);
     // Taken away since it was listed; a link to nowhere is still there, and an error.
     std::error_code ignored;
-    if (!cases && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
-    if (!cases) return tl::unexpected(cases.error());
-    std::ranges::for_each(*cases, visit);
+    if (!entry && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
+    if (!entry) return tl::unexpected(entry.error());
+    visit(*entry);
   }
   return {};
 }

@@ -76,13 +76,11 @@ Result<std::uint64_t> Intake::take_doubtful() {
   const std::lock_guard lock(mutex_);
   std::uint64_t changed = 0;
   for (const std::string& path : std::exchange(doubtful_, {})) {
-    CCDFUZZ_TRY(const std::vector<NamedCase> read, read_checked_cases(path));
-    for (const NamedCase& entry : read) {
-      const std::optional<Failure> failure = named_by_failure(entry);
-      if (!failure) continue;  // changed since
-      CCDFUZZ_TRY(const Store::Put done, put_aside(entry, *failure));
-      if (done != Store::Put::kKnown) ++changed;
-    }
+    CCDFUZZ_TRY(const NamedCase entry, read_checked_case(path));
+    const std::optional<Failure> failure = named_by_failure(entry);
+    if (!failure) continue;  // changed since
+    CCDFUZZ_TRY(const Store::Put done, put_aside(entry, *failure));
+    if (done != Store::Put::kKnown) ++changed;
   }
   return changed;
 }

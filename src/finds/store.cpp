@@ -71,13 +71,13 @@ Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
   return written.map([] { return Store::Put::kMerged; });
 }
 
-/// The entry of a file; nothing where there is no file. Errors: as read_checked_cases.
+/// The entry of a file; nothing where there is no file. Errors: as read_checked_case.
 Result<std::optional<NamedCase>> entry_at(const std::string& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return std::nullopt;
   return refuse_irregular(path)
-      .and_then([&] { return read_checked_cases(path); })
-      .map([](std::vector<NamedCase> cases) { return std::optional(std::move(cases.front())); });
+      .and_then([&] { return read_checked_case(path); })
+      .map([](NamedCase entry) { return std::optional(std::move(entry)); });
 }
 
 }  // namespace

@@ -15,9 +15,7 @@ TEST(Corpus, HasTracesThatLoseTheWitnessWhereAMethodMissesAndSoundOnesThatKeepIt
   for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/cases")) {
     if (file.path().extension() != ".json") continue;
     SCOPED_TRACE(file.path().filename());
-    const auto cases = read_cases(file.path());
-    ASSERT_TRUE(cases) << cases.error().message();
-    const Case& entry = cases->front().value;
+    const Case entry = value_or_throw(read_case(file.path())).value;
     if (!entry.truth.witness) continue;
     ++entries;
     const TraceOptions options{entry.asked.precision, true};

@@ -1,5 +1,4 @@
-// A data set whose cases do not fit into memory together: commands that look at one case at a time
-// hold only some of them, others refuse it and say why.
+// A data set whose cases would take much memory together: commands hold only some of them.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -10,8 +9,6 @@
 
 namespace ccdfuzz {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr std::uint64_t kManyCases = 2'800;
 constexpr size_t kNoteBytes = 100'000;
@@ -48,9 +45,7 @@ class Streaming : public testing::Test {
   }
 
   Finished run(const std::string& command) const {
-    const Finished finished = shell(fmt::format("cd {}; $ccdfuzz {}", folder_.path(), command));
-    EXPECT_LT(finished.peak_bytes, 3 * kMostBytesHeld) << command;
-    return finished;
+    return shell(fmt::format("cd {}; $ccdfuzz {}", folder_.path(), command));
   }
 
   const ScratchFolder folder_;
@@ -63,6 +58,7 @@ TEST_F(Streaming, CommandsThatLookAtOneCaseHoldFewOfThem) {
         "query set.jsonl.zst --methods tdibm-c,tdibm --json",
         "trace set.jsonl.zst --methods tdibm-c", "prove set.jsonl.zst -o proven.jsonl.zst",
         "replay set.jsonl.zst --methods tdibm-c --expect correct",
+        "triage set.jsonl.zst --methods tdibm-c --seconds 5 -o finds",
         "evaluate set.jsonl.zst --methods tdibm-c -o answers", "export set.jsonl.zst -o out.csv",
         "export set.jsonl.zst --as catch2 -o out.cpp"}) {
     const Finished finished = run(command);
@@ -75,13 +71,6 @@ TEST_F(Streaming, MinimizeReadsTwoCases) {
   const Finished minimized = refused(run("minimize set.jsonl.zst --method tdibm"),
                                      "set.jsonl.zst: holds more than one case");
   EXPECT_LT(minimized.peak_bytes, kSmall);
-}
-
-TEST_F(Streaming, CommandsThatNeedAllCasesNameTheLimit) {
-  const Finished finished = refused(run("triage set.jsonl.zst -o finds"), "set.jsonl.zst:2");
-  EXPECT_THAT(finished.err, HasSubstr(fmt::format(
-                                "more than {} bytes, the most that this command holds in memory",
-                                kMostBytesHeld)));
 }
 
 TEST(StreamingCsv, TenTimesTheQueriesTakeNoMoreMemory) {

@@ -12,12 +12,11 @@ namespace {
 
 TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
   const ScratchFolder folder;
-  const auto drawn = read_cases(generated(folder, "VV", "RP", 6));
-  ASSERT_TRUE(drawn);
+  CaseStream drawn({generated(folder, "VV", "RP", 6)});
   std::filesystem::create_directories(folder / "crashes/deep");
   std::size_t written = 0;
-  for (const NamedCase& entry : *drawn) {
-    const auto witnessed = contact_of(entry.value);
+  while (const auto entry = drawn.next().value()) {
+    const auto witnessed = contact_of(entry->value);
     const auto bytes = witnessed ? to_bytes(*witnessed) : std::nullopt;
     if (!bytes) continue;
     write_text(
@@ -48,9 +47,9 @@ TEST(Triage, SaysHowToAskOwnCodeWhereNoMethodFails) {
 
 TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   const ScratchFolder folder;
-  const auto drawn = read_cases(generated(folder, "VV", "RP", 1));
+  const auto drawn = read_case(generated(folder, "VV", "RP", 1));
   ASSERT_TRUE(drawn);
-  auto witnessed = contact_of(drawn->at(0).value);
+  auto witnessed = contact_of(drawn->value);
   ASSERT_TRUE(witnessed);
   for (Vec3<double>& p : witnessed->query.patches[0].positions) p[0] += 1;
   const auto bytes = to_bytes(*witnessed);

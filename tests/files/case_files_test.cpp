@@ -20,6 +20,15 @@ Case simple_case(double x = 1) {
   return c;
 }
 
+Result<std::vector<NamedCase>> read_cases(const std::string& path) {
+  std::vector<NamedCase> cases;
+  for (CaseStream stream({path});;) {
+    CCDFUZZ_TRY(auto next, stream.next());
+    if (!next) return cases;
+    cases.push_back(*std::move(next));
+  }
+}
+
 std::string error_of(const std::string& path) {
   const auto cases = read_cases(path);
   return cases ? "no error" : cases.error().message();

@@ -33,9 +33,9 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
     double regular = 0;
     for (const auto& file : fs::directory_iterator(engine)) {
       if (file.is_directory()) continue;
-      const Result<std::vector<NamedCase>> read = read_checked_cases(file.path());
+      const Result<NamedCase> read = read_checked_case(file.path());
       ASSERT_TRUE(read) << file.path();
-      const Case& found = read->at(0).value;
+      const Case& found = read->value;
       Domain promised;
       promised.scale = is_of_bodies(found.query) ? 7 : 14;
       promised.binary32 = is_of_bodies(found.query);
@@ -59,9 +59,9 @@ TEST(ReportedCases, AreProvenAndNameTheirThreadAndVersions) {
   for (const auto& engine : fs::directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
     if (!fs::exists(engine.path() / "reported")) continue;
     for (const auto& file : fs::directory_iterator(engine.path() / "reported")) {
-      const Result<std::vector<NamedCase>> read = read_checked_cases(file.path());
+      const Result<NamedCase> read = read_checked_case(file.path());
       ASSERT_TRUE(read) << file.path();
-      const CheckedCase known = checked_or_unknown(read->at(0).value);
+      const CheckedCase known = checked_or_unknown(read->value);
       EXPECT_TRUE(known.collides()) << file.path();
       EXPECT_TRUE(known.value().origin.note.starts_with("https://github.com/")) << file.path();
       EXPECT_FALSE(known.value().expect.empty()) << file.path();

@@ -153,7 +153,7 @@ TEST(Intake, AnEntryThatDoesNotFailAsItSaysTakesNoOthersPlace) {
     EXPECT_EQ(taken.intake.take_doubtful().value(), 1U);
     EXPECT_THAT(cases_in(folder.path()), testing::UnorderedElementsAre(find_of(1), find_of(31)));
     const std::string path = taken.store.path_of(failures_of(find_of(31)).front());
-    EXPECT_EQ(read_cases(path).value().front().value, find_of(31));
+    EXPECT_EQ(read_case(path).value().value, find_of(31));
   }
 }
 

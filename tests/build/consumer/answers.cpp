@@ -28,23 +28,20 @@ int main(int argc, char** argv) {
   SearchOptions options;
   options.max_pops = 40;
   for (const std::filesystem::path& file : files) {
-    const auto read = read_cases(file.string());
-    if (!read) return std::cerr << read.error().message() << '\n', 1;
-    for (const NamedCase& c : *read) {
-      const auto checked = check_case(c);
-      std::cout << c.id << (checked ? " holds\n" : " refuted\n");
-      const CheckedCase known = checked.value_or(CheckedCase());
-      for (const MethodInfo& info : registered_methods()) {
-        std::string spec = info.spec;
-        if (spec == "oracle") continue;  // takes long
-        if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
-        const Answer answer = (*make_method(spec))->answer(c.value.query, options);
-        std::cout << spec << ' ' << static_cast<int>(answer.verdict) << ' ' << answer.pops << ' '
-                  << std::hex << (answer.toi ? bits(*answer.toi) : 0);
-        for (const Uv<double>& uv : answer.uv)
-          std::cout << ' ' << bits(uv[0]) << ' ' << bits(uv[1]);
-        std::cout << std::dec << ' ' << name_of(judge(known, answer)) << '\n';
-      }
+    const auto c = read_case(file.string());
+    if (!c) return std::cerr << c.error().message() << '\n', 1;
+    const auto checked = check_case(*c);
+    std::cout << c->id << (checked ? " holds\n" : " refuted\n");
+    const CheckedCase known = checked.value_or(CheckedCase());
+    for (const MethodInfo& info : registered_methods()) {
+      std::string spec = info.spec;
+      if (spec == "oracle") continue;  // takes long
+      if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+      const Answer answer = (*make_method(spec))->answer(c->value.query, options);
+      std::cout << spec << ' ' << static_cast<int>(answer.verdict) << ' ' << answer.pops << ' '
+                << std::hex << (answer.toi ? bits(*answer.toi) : 0);
+      for (const Uv<double>& uv : answer.uv) std::cout << ' ' << bits(uv[0]) << ' ' << bits(uv[1]);
+      std::cout << std::dec << ' ' << name_of(judge(known, answer)) << '\n';
     }
   }
   return files.empty() ? 1 : 0;
