@@ -131,8 +131,9 @@ Expected Asker::expected(const std::string& method, const Case& value, const Jud
   return {judged.outcome, cause_(method, value)};
 }
 
-std::optional<Failure> Asker::failure(const std::string& method, const Case& value) {
-  const Expected shown = expected(method, value, ask(method, checked_or_unknown(value)));
+std::optional<Failure> Asker::failure(const std::string& method, const Case& value,
+                                      const Judged& judged) {
+  const Expected shown = expected(method, value, judged);
   return is_failure(shown.outcome) ? std::optional(failure_of(value, method, shown)) : std::nullopt;
 }
 
@@ -151,11 +152,6 @@ bool Asker::differs(const std::string& method, const CheckedCase& known, const E
     if (!(expected(method, known.value(), ask(method, known, search)) == shown)) return true;
   }
   return false;
-}
-
-double Asker::depth(const std::string& method, const CheckedCase& known) {
-  const Judged judged = ask(method, known);
-  return depth_of(known, judged).value_or(0);
 }
 
 void Asker::ask_others(Case& find, const std::vector<std::string>& methods) {

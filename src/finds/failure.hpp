@@ -105,8 +105,9 @@ class Asker {
   /// cause: the name of an error, the kind of bodies, or what lost a contact.
   Expected expected(const std::string& method, const Case& value, const Judged& judged);
 
-  /// How the method fails; nothing where it does not.
-  std::optional<Failure> failure(const std::string& method, const Case& value);
+  /// How the method fails that answered so about a case; nothing where it does not.
+  std::optional<Failure> failure(const std::string& method, const Case& value,
+                                 const Judged& judged);
   /// What an entry expects of it, asked at the precision that the case says, and with no more pops
   /// than it says.
   Expected expected_as_asked(const std::string& method, const CheckedCase& known);
@@ -115,10 +116,6 @@ class Asker {
   /// times. After a hang, which costs all of its time, it is not asked.
   bool differs(const std::string& method, const CheckedCase& known, const Expected& shown,
                const SearchOptions& search);
-
-  /// How deep patches pass through each other in a false negative of the method (depth_of); 0 where
-  /// that is not measured.
-  double depth(const std::string& method, const CheckedCase& known);
 
   /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes
   /// the find expect what they do. What is undecided so is left out: a larger budget may decide it.

@@ -11,6 +11,7 @@
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
 #include "io/in_order.hpp"
+#include "io/json_write.hpp"
 
 namespace ccdfuzz {
 
@@ -27,14 +28,22 @@ bool can_be_asked(const std::string& method) {
 
 bool Intake::offer(const Failure& failure, Case find) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
-  Rank rank = rank_of(find.query);
+  const auto info = method_info(failure.who);
+  if (info && !info->version.empty()) find.origin.more["version"] = json_string(info->version);
   const std::lock_guard lock(mutex_);
-  const auto [known, is_first] = kept_.try_emplace(failure);
-  Kept& kept = known->second;
-  if (!is_first && !(rank < kept.rank)) return false;
-  kept = {std::move(rank), std::move(find), false, kept.is_new};
+  const auto known = kept_.find(failure);
+  const bool is_first = known == kept_.end();
+  if (!is_first && !(rank_of(find.query) < known->second.rank)) return false;
+  keep({.failure = failure, .value = std::move(find)});
+  return is_first && kept_.at(failure).is_new();
+}
+
+/// In place of what is kept for its failure, and stores it.
+void Intake::keep(Find find) {
+  Kept& kept = kept_[find.failure];
+  find.is_new = kept.find.is_new;
+  kept = {rank_of(find.value.query), std::move(find)};
   std::ignore = store_kept();
-  return is_first && (kept.is_new || !kept.stored);
 }
 
 AskAgain Intake::again() {
@@ -135,14 +144,14 @@ Result<void> Intake::store_kept() {
   while (stored && !std::ranges::all_of(kept_, is_stored)) {
     for (auto& [failure, kept] : kept_) {
       if (kept.stored) continue;
-      const Result<Store::Put> done = put(failure, kept.find);
+      const Result<Store::Put> done = put(failure, kept.find.value);
       if (!done) {
         // Where one cannot be stored, the others are no worse off.
         if (stored) stored = tl::unexpected(done.error());
         continue;
       }
       kept.stored = true;
-      kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
+      if (*done == Store::Put::kNew || *done == Store::Put::kSmaller) kept.find.is_new = true;
     }
     if (stored) stored = notice_replacement();
   }
@@ -171,46 +180,41 @@ std::optional<InputError> Intake::trouble() const {
 
 size_t Intake::count() const {
   const std::lock_guard lock(mutex_);
-  return static_cast<size_t>(std::ranges::count_if(
-      kept_, [](const auto& kept) { return kept.second.is_new || !kept.second.stored; }));
+  return static_cast<size_t>(
+      std::ranges::count_if(kept_, [](const auto& kept) { return kept.second.is_new(); }));
 }
 
 Result<void> Intake::finish(const Finish& how) {
-  struct Task {
-    Failure failure;
-    Case find;
-    double depth = 0;
-    bool differs = false;
-  };
-  std::vector<Task> tasks;
+  std::vector<Find> tasks;
   {
     const std::lock_guard lock(mutex_);
     for (const auto& [failure, kept] : kept_) {
-      if (kept.is_new || !kept.stored) tasks.push_back({failure, kept.find});
+      if (kept.is_new()) tasks.push_back(kept.find);
     }
   }
   tbb::enumerable_thread_specific<Asker> askers(make_);
-  size_t done = 0;
-  run_in_order<Case>(
+  run_in_order<Find>(
       tasks.size(), how.threads,
       [&](size_t i) {
-        auto& [failure, find, depth, differs] = tasks[i];
+        Find find = std::move(tasks[i]);
+        const auto& [who, outcome, contact, cause, setting] = find.failure;
         Asker& asker = askers.local();
-        if (how.shrinks(failure))
-          find = minimise(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
-        const CheckedCase known = checked_or_unknown(find);
-        if (is_false_negative(failure.outcome)) depth = asker.depth(failure.who, known);
-        const Expected shown{failure.outcome, failure.cause};
-        differs = !how.is_late() && asker.differs(failure.who, known, shown, asker.search());
-        asker.ask_others(find, how.methods);
-        return std::move(find);
+        if (how.shrinks(find.failure)) {
+          const MinimiseOptions options{how.max_trials, how.is_late, how.admits};
+          find.value = minimise(find.value, find.failure, asker, options).value;
+        }
+        const CheckedCase known = checked_or_unknown(find.value);
+        if (is_false_negative(outcome)) {
+          find.depth = depth_of(known, asker.ask(who, known)).value_or(0);
+        }
+        find.differs =
+            !how.is_late() && asker.differs(who, known, {outcome, cause}, asker.search());
+        asker.ask_others(find.value, how.methods);
+        return find;
       },
-      [&](Case find) {
-        const auto& [failure, was, depth, differs] = tasks[done++];
+      [&](Find find) {
         const std::lock_guard lock(mutex_);
-        Kept& kept = kept_.at(failure);
-        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth, differs};
-        std::ignore = store_kept();
+        keep(std::move(find));
       },
       &how.stop);
   return store_all();
@@ -220,16 +224,14 @@ std::vector<Find> Intake::finds() const {
   const std::lock_guard lock(mutex_);
   std::vector<Find> finds;
   for (const auto& [failure, kept] : kept_) {
-    Find find{failure,    kept.stored ? store_.path_of(failure) : "",
-              kept.find,  kept.is_new || !kept.stored,
-              kept.depth, kept.differs};
-    if (!find.is_new) {
-      if (const auto entry = store_.standing(failure); entry && *entry) {
-        find.path = (*entry)->id;
-        find.value = (*entry)->value;
-      }
+    Find& find = finds.emplace_back(kept.find);
+    find.is_new = kept.is_new();
+    if (kept.stored) find.path = store_.path_of(failure);
+    if (find.is_new) continue;
+    if (const auto entry = store_.standing(failure); entry && *entry) {
+      find.path = (*entry)->id;
+      find.value = (*entry)->value;
     }
-    finds.push_back(std::move(find));
   }
   return finds;
 }

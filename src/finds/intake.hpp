@@ -15,11 +15,11 @@ namespace ccdfuzz {
 
 /// The find that a run has kept for one failure.
 struct Find {
-  Failure failure;
-  std::string path;     ///< where it is; empty if it could not be stored
-  Case value;           ///< with its expectations
-  bool is_new = false;  ///< found by this run; else it was there before, or a smaller one was
-  double depth = 0;     ///< that of a new one (Asker::depth)
+  Failure failure = {};
+  std::string path = {};  ///< where it is; empty if it could not be stored
+  Case value = {};        ///< with its expectations
+  bool is_new = false;    ///< found by this run; else it was there before, or a smaller one was
+  double depth = 0;       ///< that of a new one (depth_of); 0 where that is not measured
   /// The method shows something else of a new one, asked again (Asker::differs).
   bool differs = false;
 };
@@ -38,9 +38,9 @@ class Intake {
   Intake(Store& store, MakeAsker make, const MakeAsker& confirm)
       : store_(store), make_(std::move(make)), confirm_(confirm()) {}
 
-  /// A case shows a failure. Keeps and stores it if it is the smallest so far. What goes wrong with
-  /// the store is trouble. Returns true iff the failure was offered for the first time and is not
-  /// in the store.
+  /// A case shows a failure. Keeps and stores it if it is the smallest so far, with the version
+  /// that a plug-in says of itself (origin.version). What goes wrong with the store is trouble.
+  /// Returns true iff the failure was offered for the first time and is not in the store.
   bool offer(const Failure& failure, Case find);
 
   /// Puts an entry of another folder: for the failure that it is named by, or under its own name.
@@ -96,12 +96,13 @@ class Intake {
  private:
   struct Kept {
     Rank rank;
-    Case find;
-    bool stored = false, is_new = false;
-    double depth = 0;
-    bool differs = false;
+    Find find;
+    bool stored = false;
+
+    bool is_new() const { return find.is_new || !stored; }
   };
 
+  void keep(Find find);
   Result<void> store_kept();
   Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                          const AskAgain& again = nullptr);

@@ -191,11 +191,11 @@ constexpr std::uint64_t kTrialsOfAHang = 6;
 /// Shrinking leaves this share of the depth of a miss, relative to its size.
 constexpr double kDepthKept = 0.5;
 
-/// How deep patches pass through each other in the failure that a case shows, as a share of their
-/// largest coordinate; 0 where that is not measured.
-double relative_depth(const Failure& failure, const Case& value, Asker& asker) {
-  const double size = largest_coordinate(value.query);
-  return size > 0 ? asker.depth(failure.who, checked_or_unknown(value)) / size : 0;
+/// How deep patches pass through each other in what an answer overlooks (depth_of), as a share of
+/// their largest coordinate; 0 where that is not measured.
+double relative_depth(const CheckedCase& known, const Judged& judged) {
+  const double size = largest_coordinate(known.query());
+  return size > 0 ? depth_of(known, judged).value_or(0) / size : 0;
 }
 
 }  // namespace
@@ -213,15 +213,20 @@ Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
   start.asked = asked_with(asker.search());
   start.expect.clear();
   // A deep one stays deep, so that what is left is no matter of rounding.
-  const bool has_depth = is_false_negative(failure.outcome);
-  const double least = has_depth ? kDepthKept * relative_depth(failure, start, asker) : 0;
+  double least = 0;
+  if (is_false_negative(failure.outcome)) {
+    const CheckedCase known = checked_or_unknown(start);
+    least = kDepthKept * relative_depth(known, asker.ask(failure.who, known));
+  }
   const bool is_admitted = options.admits(start);
   Minimised minimised = minimise(
       start, failure.outcome,
       [&](const Case& simpler) {
-        return (!is_admitted || options.admits(simpler)) &&
-               asker.failure(failure.who, simpler) == failure &&
-               (least == 0 || relative_depth(failure, simpler, asker) >= least);
+        if (is_admitted && !options.admits(simpler)) return false;
+        const CheckedCase known = checked_or_unknown(simpler);
+        const Judged judged = asker.ask(failure.who, known);
+        return asker.failure(failure.who, simpler, judged) == failure &&
+               (least == 0 || relative_depth(known, judged) >= least);
       },
       options);
   minimised.value.origin.name.clear();

@@ -197,13 +197,12 @@ class Hunt {
 
   void note_failure(const std::string& method, const Case& asked, const Judged& judged,
                     Asker& asker, Done& done) const {
-    if (!is_failure(judged.outcome)) return;
     const double begin = thread_cpu_seconds();
-    Case find = asked;
-    find.asked = asked_with(options_.search);
-    find.expect = {{method, asker.expected(method, asked, judged)}};
-    const Failure failure = failure_of(find, method, find.expect.at(method));
-    done.failures.emplace_back(failure, std::move(find));
+    if (const auto failure = asker.failure(method, asked, judged)) {
+      Case& find = done.failures.emplace_back(*failure, asked).second;
+      find.asked = asked_with(options_.search);
+      find.expect.clear();
+    }
     done.cpu_seconds += thread_cpu_seconds() - begin;
   }
 

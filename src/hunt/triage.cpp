@@ -170,7 +170,7 @@ std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, cons
   std::optional<Confirmed> best;
   for (const CheckedCase& asked : forms) {
     if (best && options_.stop()) break;
-    auto failure = asker_.failure(method, asked.value());
+    auto failure = asker_.failure(method, asked.value(), asker_.ask(method, asked));
     if (!failure || (best && failure->setting >= best->failure.setting)) continue;
     best = Confirmed{asked.value(), *std::move(failure)};
     if (best->failure.setting == Setting::kOrdinary) break;

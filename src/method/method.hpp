@@ -91,7 +91,8 @@ struct MethodInfo {
   std::vector<std::string> switches = {};
   Features features = {};
   Domain domain = {};
-  std::string fault = {};  ///< what a plug-in did when asked what it is; empty: it said so
+  std::string version = {};  ///< what a plug-in says of it; else empty
+  std::string fault = {};    ///< what a plug-in did when asked what it is; empty: it said so
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.

@@ -89,8 +89,9 @@ TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {
   int numbers = 0;
   for (const auto& row : json_lines(finished.out)) {
     if (row.at("row") != "find") continue;
-    Query query = read_case(row.at("path").get<std::string>()).value().value.query;
-    for (MovingPatch<double>& patch : query.patches) {
+    Case find = read_case(row.at("path").get<std::string>()).value().value;
+    EXPECT_EQ(find.origin.more.at("version"), "\"1.0\"") << "of the plug-in, as it says";
+    for (MovingPatch<double>& patch : find.query.patches) {
       for_each_coordinate(patch, [&](double x) {
         ++numbers;
         EXPECT_TRUE(x == 0 || (0x1p-7 <= std::abs(x) && std::abs(x) <= 0x1p7)) << to_hex(x);

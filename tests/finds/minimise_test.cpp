@@ -285,14 +285,16 @@ TEST(Minimise, ADeepMissStaysDeep) {
   for (std::uint64_t index = 0; index < 6; ++index) {
     Case found = generate(options, index).value;
     found.query.t_max *= 1.5;
-    const Failure failure = asker.failure("tdibm", found).value();
+    const Judged judged = asker.ask("tdibm", checked_or_unknown(found));
+    const Failure failure = asker.failure("tdibm", found, judged).value();
     const double deep = feature_depth(found, found.query.t_max) / largest(found.query);
     const Case small = minimise(found, failure, asker).value;
     const double left = feature_depth(small, small.query.t_max) / largest(small.query);
     deep_ones += deep > 0 ? 1 : 0;
     EXPECT_GE(left, deep / 2);
     EXPECT_LT(size_of(small.query), size_of(found.query));
-    EXPECT_EQ(asker.depth("tdibm", checked_or_unknown(small)),
+    const CheckedCase known = checked_or_unknown(small);
+    EXPECT_EQ(depth_of(known, asker.ask("tdibm", known)).value_or(0),
               feature_depth(small, small.query.t_max));
   }
   EXPECT_GE(deep_ones, 3);

@@ -303,6 +303,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;
   info.features = d.features;
+  info.version = d.version;
   info.domain = d.domain;
   return info;
 }
