@@ -201,6 +201,24 @@ FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plan
   return pair;
 }
 
+/// The class of a contact of bodies: what of each lies on its support plane of this normal, which
+/// is towards the second; 1 point, 2, or more.
+ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {
+  std::array<Feature, 2> features{};
+  for (size_t s = 0; s < 2; ++s) {
+    std::vector<Rational> heights;
+    for (const Vec3<double>& p : query.patches[s].positions) {
+      Rational height = 0;
+      for (int k = 0; k < 3; ++k) height += normal[static_cast<size_t>(k)] * exact(p[k]);
+      heights.push_back(s == 0 ? height : Rational(-height));
+    }
+    const Rational& highest = *std::max_element(heights.begin(), heights.end());
+    const auto count = std::count(heights.begin(), heights.end(), highest);
+    features[s] = count == 1 ? Feature::kCorner : count == 2 ? Feature::kEdge : Feature::kFace;
+  }
+  return class_between(features[0], features[1]);
+}
+
 }  // namespace
 
 bool has_bodies(const BodyKinds& kinds, ContactClass contact) {
@@ -299,22 +317,6 @@ Attempted grazing_bodies_case(const GeneratorOptions& options, Draw& draw) {
   const auto& first = made.truth.witness;
   if (!first || first->t == 0) return tl::unexpected(Discard::kFirstContact);
   return made;
-}
-
-ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {
-  std::array<Feature, 2> features{};
-  for (size_t s = 0; s < 2; ++s) {
-    std::vector<Rational> heights;
-    for (const Vec3<double>& p : query.patches[s].positions) {
-      Rational height = 0;
-      for (int k = 0; k < 3; ++k) height += normal[static_cast<size_t>(k)] * exact(p[k]);
-      heights.push_back(s == 0 ? height : Rational(-height));
-    }
-    const Rational& highest = *std::max_element(heights.begin(), heights.end());
-    const auto count = std::count(heights.begin(), heights.end(), highest);
-    features[s] = count == 1 ? Feature::kCorner : count == 2 ? Feature::kEdge : Feature::kFace;
-  }
-  return class_between(features[0], features[1]);
 }
 
 std::optional<Case> case_of_bodies(const Query& query) {

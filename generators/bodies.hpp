@@ -26,10 +26,6 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 /// has the plane's normal then, and does not hold; in the others it was not checked yet.
 Attempted framed_bodies(const GeneratorOptions& options, Draw& draw);
 
-/// The class of a contact of bodies: what of each lies on its support plane of this normal, which
-/// is towards the second; 1 point, 2, or more.
-ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal);
-
 /// A query of bodies as a case whose truth is decided, with the class of its contact. Where they
 /// miss, it is the class of what is nearest. A contact at t = 0, or of bodies that turn, has none,
 /// nor has a mesh that is missed.

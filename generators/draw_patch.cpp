@@ -1,7 +1,6 @@
 #include "generators/draw_patch.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,20 +89,6 @@ Cell draw_cell(Draw& choices, const Shape& shape, int max_depth) {
 }
 
 namespace {
-
-template <class S, class Text>
-std::string list(const Points<S>& points, const Text& text) {
-  std::vector<std::string> parts;
-  for (const Vec3<S>& p : points) {
-    parts.push_back(fmt::format("[{}, {}, {}]", text(p[0]), text(p[1]), text(p[2])));
-  }
-  return fmt::format("[{}]", fmt::join(parts, ", "));
-}
-
-std::string text_of(const Dyadic& x) {
-  const auto d = x.to_double_exactly();
-  return d ? to_hex(*d) : to_text(x.rational());
-}
 
 /// Any finite double, and as often one of the largest: with the exponent 1022 or 1023.
 double draw_base(Draw& choices) {
@@ -208,18 +193,6 @@ std::vector<double> draw_patch_weights(Draw& choices, std::size_t count) {
   }
   if (kind == kFar) weights[choices.below(count)] = choices.coin() ? 0x1p40 : 0x1p-40;
   return weights;
-}
-
-std::string to_hex_text(const Points<double>& points) {
-  return list(points, [](double x) { return to_hex(x); });
-}
-
-std::string to_text(const Points<Dyadic>& points) {
-  return list(points, text_of);
-}
-
-std::string to_text(const Uv<Dyadic>& uv) {
-  return fmt::format("({}, {})", text_of(uv[0]), text_of(uv[1]));
 }
 
 std::string to_text(const Query& query) {

@@ -67,9 +67,6 @@ std::optional<Query> with_drawn_ends(Query query, Draw& choices);
 std::vector<double> draw_patch_weights(Draw& choices, std::size_t count);
 
 /// For failure texts; a query as a case file.
-std::string to_hex_text(const Points<double>& points);
-std::string to_text(const Points<Dyadic>& points);
-std::string to_text(const Uv<Dyadic>& uv);
 std::string to_text(const Query& query);
 std::string to_text(const Cell& cell);
 

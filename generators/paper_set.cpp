@@ -8,35 +8,17 @@
 
 namespace ccdfuzz {
 
-PaperCounts paper_counts(ContactClass contact) {
-  switch (contact) {
-    case ContactClass::kFF:
-      return {6003, 600};
-    case ContactClass::kEF:
-      return {1020, 100};
-    default:
-      return {1000, 100};
-  }
-}
+namespace {
 
-std::vector<PaperItem> paper_items(std::uint64_t one_in) {
-  CCDFUZZ_VERIFY(one_in >= 1);
-  const auto part = [one_in](std::uint64_t count) {
-    return count / one_in + (count % one_in != 0 ? 1 : 0);
-  };
-  std::vector<PaperItem> items;
-  for (const ContactClass contact : kContactClasses) {
-    const PaperCounts counts = paper_counts(contact);
-    for (std::uint64_t i = 0; i < part(counts.regular); ++i) {
-      items.push_back({contact, CaseKind::kRP, i});
-    }
-    for (const CaseKind kind : {CaseKind::kNHP, CaseKind::kNMN}) {
-      for (std::uint64_t i = 0; i < part(counts.grazing); ++i) items.push_back({contact, kind, i});
-    }
-  }
-  return items;
-}
+/// How many cases of a contact class the paper's set has (Table 4): `regular` RP and as many RN,
+/// `grazing` NHP and as many NMN.
+struct PaperCounts {
+  std::uint64_t regular, grazing;
+};
+constexpr std::array<PaperCounts, kContactClasses.size()> kPaperCounts = {
+    {{6003, 600}, {1020, 100}, {1000, 100}, {1000, 100}, {1000, 100}, {1000, 100}}};
 
+/// The RN case of an RP case.
 Case negative_of(const Case& positive) {
   CCDFUZZ_VERIFY(positive.truth.clear_until);
   const std::optional<double> t_max = to_double_exactly(*positive.truth.clear_until);
@@ -45,6 +27,26 @@ Case negative_of(const Case& positive) {
   say_clear(negative, *t_max);
   negative.origin.kind = name_of(CaseKind::kRN);
   return negative;
+}
+
+}  // namespace
+
+std::vector<PaperItem> paper_items(std::uint64_t one_in) {
+  CCDFUZZ_VERIFY(one_in >= 1);
+  const auto part = [one_in](std::uint64_t count) {
+    return count / one_in + (count % one_in != 0 ? 1 : 0);
+  };
+  std::vector<PaperItem> items;
+  for (const ContactClass contact : kContactClasses) {
+    const PaperCounts& counts = kPaperCounts[static_cast<size_t>(contact)];
+    for (std::uint64_t i = 0; i < part(counts.regular); ++i) {
+      items.push_back({contact, CaseKind::kRP, i});
+    }
+    for (const CaseKind kind : {CaseKind::kNHP, CaseKind::kNMN}) {
+      for (std::uint64_t i = 0; i < part(counts.grazing); ++i) items.push_back({contact, kind, i});
+    }
+  }
+  return items;
 }
 
 PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed) {

@@ -7,13 +7,6 @@
 
 namespace ccdfuzz {
 
-/// How many cases of a contact class the paper's set has (Table 4): `regular` RP and as many RN,
-/// `grazing` NHP and as many NMN.
-struct PaperCounts {
-  std::uint64_t regular = 0, grazing = 0;
-};
-PaperCounts paper_counts(ContactClass contact);
-
 /// One construction of the set. kRP stands for both regular kinds: an RN case has the patches of
 /// the RP case of its index and ends before the contact.
 struct PaperItem {
@@ -40,8 +33,5 @@ inline constexpr std::uint64_t kPaperTreeNodes = 1'000'000;
 
 /// The cases of a construction, as generate makes them with this seed and Construction::kPaper.
 PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed);
-
-/// The RN case of an RP case.
-Case negative_of(const Case& positive);
 
 }  // namespace ccdfuzz

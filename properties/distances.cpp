@@ -22,11 +22,11 @@ namespace ccdfuzz {
 namespace {
 
 Case draw_case_apart(Draw& d) {
-  return case_of(supposed(draw_first_contact(d, true)));
+  return case_of(draw_first_contact(d, true));
 }
 
 void check_not_early_apart(Draw& d) {
-  const FirstContact drawn = supposed(draw_first_contact(d, true));
+  const FirstContact drawn = draw_first_contact(d, true);
   // The first is the faster, and its axes are made for distances.
   constexpr SearchOptions kBrief = {kFinePrecision, 300, SearchOptions().max_bytes};
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational"}), drawn, d, kBrief);
@@ -51,7 +51,7 @@ void check_trees(Draw& d) {
 /// Proofs that patches do not touch prove nothing of distances.
 void check_proofs_of_touching(Draw& d) {
   constexpr double kLittle = 0x1p-30;
-  FirstContact drawn = supposed(draw_first_contact(d));
+  FirstContact drawn = draw_first_contact(d);
   show(d, "query", drawn.query);
   const MovingPlane plane = supposed(find_plane(drawn.query, drawn.witness));
   drawn.query.separation = kLittle;

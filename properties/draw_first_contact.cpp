@@ -34,7 +34,7 @@ Case case_of(const FirstContact& drawn) {
   return out;
 }
 
-Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
+FirstContact draw_first_contact(Draw& choices, bool apart) {
   const ContactClass contact = choices.pick(kContactClasses);
   // Coarse boxes are no good for flat patches.
   ContactScene scene = touching(contact, {kQuadratic, kQuadratic}, choices, 1);
@@ -51,25 +51,24 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   }
   Placement placement = random_placement(choices);
   placement.shift = choices.vector(20, -16);
-  const auto made = to_case(scene, placement, choices);
-  if (!made) return input_error("", "a number is not a double");
+  const Case made = supposed(to_case(scene, placement, choices));
   FirstContact out;
-  out.query = made->query;
-  out.witness = *made->truth.witness;
+  out.query = made.query;
+  out.witness = *made.truth.witness;
   out.t = *scene.t.to_double_exactly();
   const Vec3<Dyadic>& towards = placement.frame.normal;
   if (apart) {
     const int exponent = choices.integer(-12, 3);
     const Vec3<Dyadic> way(towards[0].scaled(exponent), towards[1].scaled(exponent),
                            towards[2].scaled(exponent));
-    if (!move_apart(out.query, way)) return input_error("", "a number is not a double");
+    suppose(move_apart(out.query, way));
   }
   double reach = 0;
   std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
   Vec3<double> normal;
   for (int k = 0; k < 3; ++k) normal[k] = towards[k].rational().get_d();
   for (std::size_t s = 0; s < 2; ++s) {
-    const MovingPatch<double>& patch = made->query.patches[s];
+    const MovingPatch<double>& patch = made.query.patches[s];
     const Vec3<double> width = kQuadratic.n * kFinePrecision * extents(patch, out.t);
     // At a distance the nearest points of two boxes may lie in any direction.
     reach += apart ? normal.norm() * width.norm() : normal.cwiseAbs().dot(width);

@@ -23,8 +23,8 @@ struct FirstContact {
 Case case_of(const FirstContact& drawn);
 
 /// apart: patch 1 is moved away along the normal, so that the patches come no nearer than a
-/// distance, which is the query's separation, rounded up.
-Result<FirstContact> draw_first_contact(Draw& choices, bool apart = false);
+/// distance, which is the query's separation, rounded up. Discarded: a number is not a double.
+FirstContact draw_first_contact(Draw& choices, bool apart = false);
 
 /// The method hits, no earlier than explained. Discarded: it is undecided. Shows all.
 void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,

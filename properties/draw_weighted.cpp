@@ -46,7 +46,7 @@ Contact draw_weighted_contact(Draw& choices) {
 }
 
 FirstContact draw_weighted_first_contact(Draw& choices, Query* plain) {
-  FirstContact drawn = supposed(draw_first_contact(choices));
+  FirstContact drawn = draw_first_contact(choices);
   if (plain != nullptr) *plain = drawn.query;
   Contact q = supposed(contact_of(case_of(drawn)));
   for (std::size_t s = 0; s < 2; ++s) {

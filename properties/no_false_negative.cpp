@@ -45,7 +45,9 @@ Case draw_transformed(Draw& draw) {
   return drawn;
 }
 
-Case draw_sized_contact(Draw& draw) {
+/// That, or a contact of the tiny or the many-bit range. The time step may be 2^30 times as long as
+/// the contact needs.
+static Case draw_sized_contact(Draw& draw) {
   const std::uint64_t kind = draw.choose(3);
   if (kind == 3) return supposed(draw_contact(draw, kManyBits));  // about the ends of windows
   Case drawn = kind == 2 ? supposed(draw_contact(draw, kTiny)) : draw_transformed(draw);

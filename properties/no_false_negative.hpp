@@ -37,9 +37,6 @@ DrawCase contacts_in(const ContactRange& range);
 /// An ordinary contact, half of the time after drawn changes of coordinates that keep it, each of
 /// them in one of four.
 Case draw_transformed(Draw& draw);
-/// That, or a contact of the tiny or the many-bit range. The time step may be 2^30 times as long as
-/// the contact needs.
-Case draw_sized_contact(Draw& draw);
 
 /// Checks of that claim on drawn contacts.
 std::function<void(Draw&)> misses_nothing(std::string method,

@@ -49,7 +49,7 @@ void check_not_early(Draw& d) {
     const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
     return claim_not_early(name, draw_weighted_first_contact(d), d);
   }
-  const FirstContact drawn = supposed(draw_first_contact(d));
+  const FirstContact drawn = draw_first_contact(d);
   const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
   if (d.coin()) return claim_not_early(name, drawn, d);
   Query of_part = drawn.query;

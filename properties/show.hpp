@@ -55,7 +55,8 @@ std::string shown(const T& value) {
   } else if constexpr (requires { name_of(value); }) {
     return std::string(name_of(value));
   } else if constexpr (requires { value.rational(); }) {
-    return to_text(value.rational());
+    const auto same = value.to_double_exactly();
+    return same ? shown(*same) : to_text(value.rational());
   } else if constexpr (std::ranges::range<const T>) {
     std::string text;
     for (const auto& element : value) text += (text.empty() ? "[" : ", ") + shown(element);

@@ -108,7 +108,7 @@ void check_trim_linear(Draw& d) {
 /// A first contact is in a hole, at t_max, and nowhere else. The whole patches touch, and the
 /// trimmed ones are proven not to. That proof is refused for the whole ones.
 void check_trim_hole(Draw& d) {
-  const FirstContact drawn = supposed(draw_first_contact(d));
+  const FirstContact drawn = draw_first_contact(d);
   Query whole = drawn.query;
   whole.t_max = drawn.t;
   Query trimmed = whole;
@@ -144,7 +144,7 @@ DrawnBox draw_box(Draw& d) {
   DrawnBox out;
   Witness witness;
   if (d.coin()) {
-    const FirstContact drawn = supposed(draw_first_contact(d));
+    const FirstContact drawn = draw_first_contact(d);
     out.query = drawn.query, witness = drawn.witness;
   } else {
     const Case known = supposed(draw_contact(d, {-2, 2, 2}));
