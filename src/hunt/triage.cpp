@@ -106,7 +106,7 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
   bool fails = false, sound_fails = false;
   for (const std::string& method : methods) {
     if (options_.stop()) return {};
-    const std::optional<Confirmed> confirmed = confirm(method, known);
+    const std::optional<Find> confirmed = confirm(method, known);
     if (!confirmed && !decided && method == kOracle) {
       options_.warn(fmt::format("nobody knows the truth, since the oracle came to grief: {}: {}",
                                 decided.error().name, decided.error().note));
@@ -134,9 +134,10 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
   return {};
 }
 
-Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
-  const auto& [asked, failure] = confirmed;
-  Case find = minimise(asked, failure, asker_, {options_.shrink_trials, options_.stop}).value;
+Result<std::optional<Case>> Triage::take_in(const Find& confirmed) {
+  const Failure& failure = confirmed.failure;
+  Case find =
+      minimise(confirmed.value, failure, asker_, {options_.shrink_trials, options_.stop}).value;
   if (failure.who != kOracle) find = with_truth(find).value_or(find);
   // A find that is not shrunk to the end is left to a later run, which finds it anew. A hang is
   // kept, as it would take as long again.
@@ -159,7 +160,7 @@ tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
   return told("decide", candidate).map([](const Told& told) { return told.decided.value(); });
 }
 
-std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, const Case& known) {
+std::optional<Find> Triage::confirm(const std::string& method, const Case& known) {
   const CheckedCase checked = checked_or_unknown(known);
   std::vector<CheckedCase> forms = forms_of(checked);
   const auto is_as_it_stands = [&](const CheckedCase& form) {
@@ -167,12 +168,12 @@ std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, cons
   };
   // A fuzzer may have left any t_max.
   if (std::ranges::none_of(forms, is_as_it_stands)) forms.push_back(checked);
-  std::optional<Confirmed> best;
+  std::optional<Find> best;
   for (const CheckedCase& asked : forms) {
     if (best && options_.stop()) break;
     auto failure = asker_.failure(method, asked.value(), asker_.ask(method, asked));
     if (!failure || (best && failure->setting >= best->failure.setting)) continue;
-    best = Confirmed{asked.value(), *std::move(failure)};
+    best = Find{.failure = *std::move(failure), .value = asked.value()};
     if (best->failure.setting == Setting::kOrdinary) break;
   }
   return best;

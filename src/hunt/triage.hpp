@@ -59,11 +59,6 @@ class Triage {
   const TriageTally& tally() const { return tally_; }
 
  private:
-  struct Confirmed {
-    Case asked;
-    Failure failure;
-  };
-
   Asker make_asker();
   /// What a child says of a case, or what it did instead. method: of a loss.
   struct Told;
@@ -73,9 +68,9 @@ class Triage {
   /// A case without truth as the oracle decides it, or what it did instead.
   tl::expected<Case, Fault> with_truth(const Case& candidate);
   /// The failure in the form whose setting convinces most; nothing if it fails in none.
-  std::optional<Confirmed> confirm(const std::string& method, const Case& known);
+  std::optional<Find> confirm(const std::string& method, const Case& known);
   /// Shrinks and stores what shows a new failure. Nothing if there was no time for that.
-  Result<std::optional<Case>> take_in(const Confirmed& confirmed);
+  Result<std::optional<Case>> take_in(const Find& confirmed);
 
   TriageOptions options_;
   TriageTally tally_;
