@@ -28,7 +28,7 @@ foreach(config IN LISTS ccdfuzz_checked_configs)
     message(FATAL_ERROR
       "The compiler's flags (${CMAKE_REQUIRED_FLAGS}) break the floating-point rules that ccdfuzz "
       "proves its bounds on: no contraction, no extended precision, no flush to zero, "
-      "bits compared as such, no -ffast-math. Remove the offending flag; cmake/fp_probe.cpp says what is checked.")
+      "bits compared as such, no -ffast-math. Remove the offending flag, or take another compiler; cmake/fp_probe.cpp says what is checked.")
   endif()
 endforeach()
 unset(CMAKE_REQUIRED_FLAGS)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/double_parts.hpp"
 #include "generators/draw_patch.hpp"
@@ -45,7 +46,7 @@ int size_exponent(const Query& query) {
       for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(p[k] - first[k]));
     }
   }
-  return parts_of(size).top();
+  return parts_of(std::min(size, std::numeric_limits<double>::max())).top();
 }
 
 Case elsewhere(const Case& base, Draw& draw) {

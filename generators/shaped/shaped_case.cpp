@@ -78,7 +78,9 @@ Attempted as_asked(Case positive, const GeneratorOptions& options) {
   if (options.kind != CaseKind::kRN) return positive;
   if (!positive.truth.clearance) return tl::unexpected(Discard::kFirstContact);
   positive.truth.clear_until = positive.truth.witness->t - eps_t(options).rational();
-  say_clear(positive, to_double_exactly(*positive.truth.clear_until).value());
+  const auto t_max = to_double_exactly(*positive.truth.clear_until);
+  if (!t_max) return tl::unexpected(Discard::kRoundTrip);
+  say_clear(positive, *t_max);
   return positive;
 }
 

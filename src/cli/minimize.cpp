@@ -78,8 +78,9 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   }
   const Failure failure = failure_of(found.value, options.method, shown);
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Minimised minimised = minimise(found.value, failure, asker,
-                                       {options.max_trials, [&] { return interrupted.load(); }});
+  Minimised minimised = minimise(found.value, failure, asker,
+                                 {options.max_trials, [&] { return interrupted.load(); }});
+  say_version(minimised.value, options.method);
   const CheckedCase left = checked_or_unknown(minimised.value);
   if (!interrupted && asker.differs(options.method, left, shown, asker.search())) {
     session.remark("{}: {}", options.method, kAnswersDiffer);

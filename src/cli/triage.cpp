@@ -144,9 +144,9 @@ class TriageRun {
   bool is_over() const { return session_.interrupted() || watch_.seconds() > arguments_.seconds; }
 
   /// work(file) returns a Result<bool>, which is false if the file is not done, or is to stay. Its
-  /// error says that the file is no input: it is left as it is. A file that is no more is passed
-  /// over: somebody else may work on the same folder. Throws BadInput: of the work; a file that
-  /// cannot be removed.
+  /// error says where the file is no input: what is before that is triaged, and the file stays. A
+  /// file that is no more is passed over: somebody else may work on the same folder. Throws
+  /// BadInput: of the work; a file that cannot be removed.
   template <class Work>
   void go(const std::vector<std::string>& files, const Work& work) {
     for (const std::string& file : files) {

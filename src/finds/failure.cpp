@@ -9,6 +9,7 @@
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/checker/check_case.hpp"
 #include "io/hash_name.hpp"
+#include "io/json_write.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
@@ -61,6 +62,12 @@ Failure failure_of(const Case& value, const std::string& method, const Expected&
   const auto& [outcome, cause] = expected;
   if (outcome == Outcome::kError) return {method, outcome, "", cause, Setting::kOrdinary};
   return {method, outcome, value.origin.contact, cause, setting_of(value)};
+}
+
+void say_version(Case& find, const std::string& method) {
+  find.origin.more.erase("version");
+  const auto info = method_info(method);
+  if (info && !info->version.empty()) find.origin.more["version"] = json_string(info->version);
 }
 
 std::vector<Failure> failures_of(const Case& value) {

@@ -38,6 +38,9 @@ struct Failure {
 /// The failure that an expectation of a case states. Requires is_failure(expected.outcome).
 Failure failure_of(const Case& value, const std::string& method, const Expected& expected);
 
+/// Makes origin.version of a find what the method says of its version: of plug-ins that do.
+void say_version(Case& find, const std::string& method);
+
 /// The failures that a case expects, method by method.
 std::vector<Failure> failures_of(const Case& value);
 

@@ -11,7 +11,6 @@
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
 #include "io/in_order.hpp"
-#include "io/json_write.hpp"
 
 namespace ccdfuzz {
 
@@ -28,21 +27,21 @@ bool can_be_asked(const std::string& method) {
 
 bool Intake::offer(const Failure& failure, Case find) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
-  const auto info = method_info(failure.who);
-  if (info && !info->version.empty()) find.origin.more["version"] = json_string(info->version);
+  say_version(find, failure.who);
+  Rank rank = rank_of(find.query);
   const std::lock_guard lock(mutex_);
   const auto known = kept_.find(failure);
   const bool is_first = known == kept_.end();
-  if (!is_first && !(rank_of(find.query) < known->second.rank)) return false;
-  keep({.failure = failure, .value = std::move(find)});
+  if (!is_first && !(rank < known->second.rank)) return false;
+  keep({.failure = failure, .value = std::move(find)}, std::move(rank));
   return is_first && kept_.at(failure).is_new();
 }
 
 /// In place of what is kept for its failure, and stores it.
-void Intake::keep(Find find) {
+void Intake::keep(Find find, Rank rank) {
   Kept& kept = kept_[find.failure];
   find.is_new = kept.find.is_new;
-  kept = {rank_of(find.value.query), std::move(find)};
+  kept = {std::move(rank), std::move(find)};
   std::ignore = store_kept();
 }
 
@@ -213,8 +212,9 @@ Result<void> Intake::finish(const Finish& how) {
         return find;
       },
       [&](Find find) {
+        Rank rank = rank_of(find.value.query);
         const std::lock_guard lock(mutex_);
-        keep(std::move(find));
+        keep(std::move(find), std::move(rank));
       },
       &how.stop);
   return store_all();

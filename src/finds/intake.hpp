@@ -102,7 +102,7 @@ class Intake {
     bool is_new() const { return find.is_new || !stored; }
   };
 
-  void keep(Find find);
+  void keep(Find find, Rank rank);
   Result<void> store_kept();
   Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                          const AskAgain& again = nullptr);

@@ -35,8 +35,8 @@ struct Domain {
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;
-  /// Which of the rules but the pairs a query breaks, in words; empty if none. A mesh is none of
-  /// the kinds of bodies. `ordinary` is a rule of cases alone.
+  /// Which of the rules but the pairs a query breaks, in words; empty if none. The kinds
+  /// of bodies are no rule for a mesh, and `ordinary` is none for a query.
   std::string broken_by(const Query& query) const;
   std::string broken_by(const Case& value) const;
   /// What lies in both. Nothing if they have no pair in common.

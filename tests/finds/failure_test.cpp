@@ -167,5 +167,12 @@ TEST(Change, TellsCausesApartWhereTheEntrySaysOne) {
   EXPECT_EQ(change_of(Outcome::kMissed, {Outcome::kMissed, "hull"}), Change::kNone);
 }
 
+TEST(Find, SaysNoVersionOfAnotherMethod) {
+  Case find;
+  find.origin.more["version"] = "\"9.9\"";
+  say_version(find, "tdibm");
+  EXPECT_TRUE(find.origin.more.empty());
+}
+
 }  // namespace
 }  // namespace ccdfuzz
