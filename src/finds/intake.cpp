@@ -196,18 +196,18 @@ Result<void> Intake::finish(const Finish& how) {
       tasks.size(), how.threads,
       [&](size_t i) {
         Find find = std::move(tasks[i]);
-        const auto& [who, outcome, contact, cause, setting] = find.failure;
+        const Failure& failure = find.failure;
         Asker& asker = askers.local();
-        if (how.shrinks(find.failure)) {
+        if (how.shrinks(failure)) {
           const MinimiseOptions options{how.max_trials, how.is_late, how.admits};
-          find.value = minimise(find.value, find.failure, asker, options).value;
+          find.value = minimise(find.value, failure, asker, options).value;
         }
         const CheckedCase known = checked_or_unknown(find.value);
-        if (is_false_negative(outcome)) {
-          find.depth = depth_of(known, asker.ask(who, known)).value_or(0);
+        if (is_false_negative(failure.outcome)) {
+          find.depth = depth_of(known, asker.ask(failure.who, known)).value_or(0);
         }
-        find.differs =
-            !how.is_late() && asker.differs(who, known, {outcome, cause}, asker.search());
+        const Expected shown{failure.outcome, failure.cause};
+        find.differs = !how.is_late() && asker.differs(failure.who, known, shown, asker.search());
         asker.ask_others(find.value, how.methods);
         return find;
       },

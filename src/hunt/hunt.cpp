@@ -197,12 +197,11 @@ class Hunt {
 
   void note_failure(const std::string& method, const Case& asked, const Judged& judged,
                     Asker& asker, Done& done) const {
+    if (!is_failure(judged.outcome)) return;
     const double begin = thread_cpu_seconds();
-    if (const auto failure = asker.failure(method, asked, judged)) {
-      Case& find = done.failures.emplace_back(*failure, asked).second;
-      find.asked = asked_with(options_.search);
-      find.expect.clear();
-    }
+    Case& find = done.failures.emplace_back(*asker.failure(method, asked, judged), asked).second;
+    find.asked = asked_with(options_.search);
+    find.expect.clear();
     done.cpu_seconds += thread_cpu_seconds() - begin;
   }
 
