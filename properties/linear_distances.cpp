@@ -1,6 +1,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bezier/exact_patch.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/oracle/decide_bodies.hpp"
 #include "numeric/products.hpp"
@@ -61,8 +63,9 @@ std::array<Points<double>, 2> draw_corners(Draw& d, Vec3<double>& way) {
 }
 
 /// Two linear patches that near each other until t = 1, or move apart from t = 0 on. The corners of
-/// each move alike, or each by itself.
-Query draw_near_miss(Draw& d) {
+/// each move alike, or each by itself. The separation is less than the way by 2^-most_less of it,
+/// or more.
+Query draw_near_miss(Draw& d, int most_less) {
   Vec3<double> way;
   const std::array<Points<double>, 2> corners = draw_corners(d, way);
   const bool turns = d.coin(), departs = d.coin();
@@ -84,7 +87,7 @@ Query draw_near_miss(Draw& d) {
       patch.positions.push_back(departs ? p : Vec3<double>(p - patch.velocities.back()));
     }
   }
-  const int less = d.integer(1, kTold);
+  const int less = d.integer(1, most_less);
   query.separation = way.norm() * (1 - std::ldexp(1.0, -less));
   if (d.coin()) std::swap(query.patches[0], query.patches[1]);
   return query;
@@ -113,7 +116,7 @@ bool are_apart(const Query& query) {
 }
 
 void check_near_misses(Draw& d) {
-  const Query query = draw_near_miss(d);
+  const Query query = draw_near_miss(d, kTold);
   suppose(is_valid(query));
   Query farther = query;
   farther.separation += std::ldexp(1.0, -kTold);
@@ -122,10 +125,36 @@ void check_near_misses(Draw& d) {
   CLAIM(answer.verdict == Verdict::kMiss || answer.pops > 0);
 }
 
+/// Two linear patches that start just farther apart than the separation, or do not touch at first,
+/// and near each other then.
+void check_toi_after_start(Draw& d) {
+  constexpr int kOneUlp = 53;
+  Query query = draw_near_miss(d, kOneUlp);
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& v : patch.velocities) v = -v;
+  }
+  if (d.integer(0, 3) == 0) query.separation = 0;
+  suppose(is_valid(query));
+  suppose(decide_bodies(at_rest(query, 0), {}).truth.collides == false);
+  const char* method = d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational", "oracle"});
+  const Answer answer = asked(d, method, query, {.max_pops = 1000});
+  if (answer.verdict != Verdict::kHit) return;
+  CLAIM(*answer.toi > 0);
+  const Rational toi = exact(*answer.toi);
+  const NearestPoints::Found then =
+      NearestPoints()(exact_patch<Rational>(query.patches[0]).at(toi),
+                      exact_patch<Rational>(query.patches[1]).at(toi));
+  CLAIM(then.squared >= exact(query.separation) * exact(query.separation));
+}
+
 }  // namespace
 
 std::vector<Property> linear_distances_claims() {
-  return {{"tdibm-c.linear_near_misses",
+  return {{"linear.toi_after_start",
+           "A hit on linear patches that start farther apart than the separation is later than "
+           "t = 0, and no later than they are that near",
+           "src/ccd/past_start.hpp", check_toi_after_start},
+          {"tdibm-c.linear_near_misses",
            "Linear patches that stay farther apart than the separation, by 2^-42 of their largest "
            "coordinate between 0 and t_max, are no hit without pops",
            "src/ccd/certified/DERIVATION.md, 8", check_near_misses}};

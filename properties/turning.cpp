@@ -2,7 +2,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/spin.hpp"
-#include "certify/oracle/nearest_points.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "certify/oracle/nearest_points.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
 
 namespace ccdfuzz {

@@ -7,6 +7,7 @@
 #include "ccd/certified/linear_advance.hpp"
 #include "ccd/certified/linear_contact.hpp"
 #include "ccd/certified/rough_contact.hpp"
+#include "ccd/past_start.hpp"
 
 namespace ccdfuzz {
 
@@ -39,7 +40,7 @@ Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
   split_.clear();
   queue_.keep_at_most(kKeptBytes / 2);
   split_.keep_at_most(kKeptBytes / 2);
-  return answer;
+  return past_start(query, std::move(answer));
 }
 
 double TdibmC::earliest(double so_far) const {

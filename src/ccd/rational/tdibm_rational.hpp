@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ccd/past_start.hpp"
 #include "ccd/rational/pair_test.hpp"
 
 namespace ccdfuzz {
@@ -15,6 +16,14 @@ namespace ccdfuzz {
 /// first contact. No false negative of either kind, for any valid query. A hit may be early or
 /// false, as with any inclusion test, by the size of the last cells. Its buffers are kKeptBytes at
 /// most between queries.
-using TdibmRational = Search<exact_ccd::PairTest>;
+class TdibmRational : private Search<exact_ccd::PairTest> {
+ public:
+  using Search::inclusion;
+
+  /// As of Search; a hit at the start is moved past it where past_start proves that.
+  Answer answer(const Query& query, const SearchOptions& options) {
+    return past_start(query, Search::answer(query, options));
+  }
+};
 
 }  // namespace ccdfuzz

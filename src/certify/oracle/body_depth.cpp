@@ -8,7 +8,7 @@
 
 #include "bezier/exact_patch.hpp"
 #include "case/mesh.hpp"
-#include "certify/oracle/nearest_points.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "numeric/products.hpp"

@@ -7,7 +7,7 @@
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/work_done.hpp"
-#include "certify/oracle/nearest_points.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "numeric/products.hpp"

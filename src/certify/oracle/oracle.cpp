@@ -6,6 +6,7 @@
 
 #include "base/fp_guard.hpp"
 #include "ccd/certified/tdibm_c.hpp"
+#include "ccd/past_start.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/search.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -135,9 +136,11 @@ class Deciding {
     // trees do not decide the query, so each gets a quarter of the nodes.
     constexpr std::uint64_t kShare = 4;
     for (const double slack : {0x1p-20, 0x1p-14, 0x1p-10, 0x1p-7, 0x1p-4, 0x1p-2}) {
-      const double until = clear_ - slack * query_.t_max;
-      if (until <= 0) return;
-      if (try_tree(few_bits(until), options_.max_tree_nodes / kShare)) return;
+      const double before = clear_ - slack * query_.t_max;
+      const double until =
+          before > 0 ? before : 0.5 * clear_;  // of a time near the start, its half
+      if (until > 0 && try_tree(few_bits(until), options_.max_tree_nodes / kShare)) return;
+      if (before <= 0) return;
     }
   }
 
@@ -221,7 +224,7 @@ Answer Oracle::answer(const Query& query, const SearchOptions& options) {
   } else {
     answer.verdict = Verdict::kMiss;
   }
-  return answer;
+  return past_start(query, std::move(answer));
 }
 
 }  // namespace ccdfuzz

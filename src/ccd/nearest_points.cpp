@@ -1,4 +1,4 @@
-#include "certify/oracle/nearest_points.hpp"
+#include "ccd/nearest_points.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
