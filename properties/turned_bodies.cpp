@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/spin.hpp"
-#include "ccd/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "generators/draw_patch.hpp"

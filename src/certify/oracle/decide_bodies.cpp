@@ -6,8 +6,8 @@
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
 #include "case/mesh.hpp"
-#include "certify/oracle/decide_turning.hpp"
 #include "ccd/nearest_points.hpp"
+#include "certify/oracle/decide_turning.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "numeric/products.hpp"
 

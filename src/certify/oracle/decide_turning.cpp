@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/work_done.hpp"
-#include "ccd/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "numeric/products.hpp"

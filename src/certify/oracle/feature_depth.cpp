@@ -6,8 +6,8 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/exact_patch.hpp"
-#include "certify/linear/first_contact.hpp"
 #include "ccd/nearest_points.hpp"
+#include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "numeric/products.hpp"
