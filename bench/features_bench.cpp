@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/generated_queries.hpp"
 #include "bench/ratio.hpp"
+#include "generators/generate.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -16,6 +16,22 @@ namespace {
 constexpr std::uint64_t kOfEachKind = 8;
 /// So small that contacts stay where they are: patches measure about 1.
 constexpr double kSeparation = 0x1p-100;
+
+/// Generated queries of a contact class: up to t*, and up to t* − 2^-20.
+std::vector<Query> generated_queries(ContactClass contact) {
+  std::vector<Query> all;
+  for (std::uint64_t i = 0; i < kOfEachKind; ++i) {
+    for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+      GeneratorOptions options;
+      options.contact = contact;
+      options.kind = kind;
+      options.construction = Construction::kOneSided;
+      options.seed = 1;
+      all.push_back(generate(options, i).value.query);
+    }
+  }
+  return all;
+}
 
 void add_weights(Query* query, double first_weight) {
   for (MovingPatch<double>& patch : query->patches) {
@@ -37,7 +53,7 @@ constexpr Feature kFeatures[] = {
 };
 
 void compare(benchmark::State& state, ContactClass contact, const Feature& feature) {
-  std::vector<Query> featured = generated_queries(contact, kOfEachKind);
+  std::vector<Query> featured = generated_queries(contact);
   const std::vector<Query> plain = featured;
   for (Query& query : featured) feature.add(&query);
   // One method answers both: where a second one's memory lies is worth up to 7 % of a VV query.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 
