@@ -85,10 +85,16 @@ void read_json(const JsonCursor& from, T& value);
 
 /// From least to most, both included.
 template <class T>
-auto within(T least, T most) {
-  return [=](const T& value) {
+struct Within {
+  T least, most;
+
+  std::string operator()(const T& value) const {
     return least <= value && value <= most ? "" : fmt::format("is outside {}..{}", least, most);
-  };
+  }
+};
+template <class T>
+Within<T> within(T least, T most) {
+  return {least, most};
 }
 inline std::string not_negative(double value) {
   return compare(value, 0) < 0 ? "is negative" : "";
@@ -228,9 +234,20 @@ class JsonReader {
  private:
   template <class T, class... Checks>
   void take(const JsonCursor& from, T& value, const Checks&... checks) {
+    (hold_range(from, checks), ...);
     read_json(from, value);
     (hold(from, value, checks), ...);
   }
+  /// The range of a field, which a whole number may leave that has no place in the field's type.
+  template <std::integral Int>
+  static void hold_range(const JsonCursor& from, const Within<Int>& range) {
+    from.integer(range.least, range.most);
+  }
+  template <class Check>
+  static void hold_range(const JsonCursor& from, const Each<Check>& each) {
+    for (size_t i = 0; i < from.array().size(); ++i) hold_range(from.item(i), each.check);
+  }
+  static void hold_range(const JsonCursor&, const auto&) {}
   template <class T, class Check>
   static void hold(const JsonCursor& from, const T& value, const Check& check) {
     const std::string wrong = check(value);

@@ -55,7 +55,7 @@ TEST(PluginDescription, AreRefusedWhenTheyCannotBeReadOrAreOfNoKnownField) {
 }
 
 TEST(PluginDescription, AreRefusedWhereNoQueryIsOfTheirSize) {
-  const auto accepting = [](const std::string& shape, std::uint64_t degree) {
+  const auto accepting = [](const std::string& shape, auto degree) {
     return fmt::format(R"("accepts":[[{{"shape":"point"}},{{"shape":"{}","max_degree":{}}}]])",
                        shape, degree);
   };
@@ -68,6 +68,8 @@ TEST(PluginDescription, AreRefusedWhereNoQueryIsOfTheirSize) {
   EXPECT_EQ(refusal_of(accepting("curve", 0)), where + "0 is outside 1..8");
   EXPECT_EQ(refusal_of(accepting("point", 9)), where + "9 is outside 0..8");
   EXPECT_EQ(refusal_of(accepting("hull", 82)), where + "82 is outside 1..81");
+  EXPECT_EQ(refusal_of(accepting("hull", 1L << 32)), where + "4294967296 is outside 1..81");
+  EXPECT_EQ(refusal_of(accepting("point", -1)), where + "-1 is outside 0..8");
   EXPECT_EQ(refusal_of(R"("within":1075)"), "its description: within: 1075 is outside 0..1074");
   for (const std::string& claim : {accepting("triangle", 8), accepting("hull", 81),
                                    accepting("point", 0), std::string(R"("within":1074)")}) {
