@@ -11,7 +11,7 @@
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace {

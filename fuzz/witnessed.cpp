@@ -14,7 +14,7 @@
 #include "fuzz/margins.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "files/case_files.hpp"
 #include "io/table.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

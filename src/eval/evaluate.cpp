@@ -6,7 +6,7 @@
 #include "eval/stream_cases.hpp"
 #include "io/fields.hpp"
 #include "method/ask.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "eval/tally.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 

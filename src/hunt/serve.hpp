@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hunt/triage.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {

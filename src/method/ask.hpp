@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/judge.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 

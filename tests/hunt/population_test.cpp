@@ -7,7 +7,7 @@
 
 #include "case/scale.hpp"
 #include "hunt/draw.hpp"
-#include "method/by_spec.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 namespace {
