@@ -133,24 +133,19 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
 /// Makes the constructions that are left. Returns how many were made.
 std::uint64_t make_all(const Plan& plan, const Shard& shard, Target& target, Session& session) {
   const std::uint64_t total = shard.size(plan.count);
-  std::atomic<bool> stop = false;
-  Result<void> kept;
   std::uint64_t made_count = 0;
   run_in_order<MadeCases>(
       total - target.before, session.threads,
       [&](size_t i) { return made_of(plan, shard.item(target.before + i)); },
       [&](MadeCases made) {
-        if (session.interrupted() || !kept) stop = true;
-        if (!kept || (stop && !target.run)) return;
         const std::string note = made.cost.contact + " " + made.cost.kind;
-        if (target.run) kept = target.run->append(to_json(made));
-        if (kept && target.set) kept = target.set->add(std::move(made));
+        if (target.run) need(target.run->append(to_json(made)));
+        if (target.set) need(target.set->add(std::move(made)));
         const auto done = static_cast<double>(target.before + ++made_count);
         session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
       },
-      &stop);
+      &catch_interrupts());
   session.progress().clear();
-  need(kept);
   return made_count;
 }
 

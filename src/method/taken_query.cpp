@@ -24,33 +24,27 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   const bool is_taken = !is_apart && !is_of_ends && !is_weighted && !has_bodies && !has_turning &&
                         !has_meshes && !has_trims;
   if (is_taken || !is_valid(query)) return;
-  const auto refuse = [this](const char* why) {
-    query_ = nullptr;
-    why_ = why;
-  };
-  const auto convert = [&](std::optional<Query> (*to)(const Query&), const char* why) {
-    if (query_ == nullptr) return;
-    std::optional<Query> made = to(*query_);
-    if (!made) return refuse(why);
+  why_ = has_trims     ? "takes whole patches, and one of this query is trimmed"
+         : has_meshes  ? (features.meshes      ? "takes no one-sided meshes"
+                          : features.one_sided ? "takes one-sided meshes alone"
+                                               : "takes no meshes")
+         : has_turning ? "takes no bodies that turn so"
+         : has_bodies  ? kNoBodies
+         : is_apart    ? "knows touching alone, and this query has a separation"
+                       : "";
+  if (*why_ != '\0') query_ = nullptr;
+  const auto use = [this](std::optional<Query> made, const char* why_not) {
     converted_ = std::move(made);
-    query_ = &*converted_;
+    query_ = converted_ ? &*converted_ : nullptr;
+    why_ = why_not;
   };
-  if (is_of_ends) {
-    convert(with_velocities,
-            "takes velocities, and not all ends − positions of this query are doubles");
+  if (query_ != nullptr && is_of_ends) {
+    use(with_velocities(*query_),
+        "takes velocities, and not all ends − positions of this query are doubles");
   }
-  if (is_weighted) {
-    convert(without_weights, "takes patches without weights, and those of this query differ");
+  if (query_ != nullptr && is_weighted) {
+    use(without_weights(*query_), "takes patches without weights, and those of this query differ");
   }
-  if (is_apart) refuse("knows touching alone, and this query has a separation");
-  if (has_bodies) refuse(kNoBodies);
-  if (has_turning) refuse("takes no bodies that turn so");
-  if (has_meshes) {
-    refuse(features.meshes      ? "takes no one-sided meshes"
-           : features.one_sided ? "takes one-sided meshes alone"
-                                : "takes no meshes");
-  }
-  if (has_trims) refuse("takes whole patches, and one of this query is trimmed");
 }
 
 }  // namespace ccdfuzz
