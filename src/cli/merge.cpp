@@ -122,7 +122,7 @@ int merge_corpora(const MergeOptions& options, Session& session) {
   Store store = need(Store::open(output));
   Intake intake(
       store, [] { return Asker({}); },
-      [] { return Asker({.max_seconds = kLongestQuerySeconds}, MethodSet(make_served_method)); });
+      [] { return Asker(limited({}), MethodSet(make_served_method)); });
   std::uint64_t entries = 0, taken = 0;
   std::vector<std::string> of_claims;
   for (const std::string& input : inputs) {

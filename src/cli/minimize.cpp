@@ -35,9 +35,9 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
   const auto expected = found.value.expect.find(spec);
   const bool may_crash =
       expected != found.value.expect.end() && expected->second.outcome == Outcome::kError;
-  MethodSet methods(may_crash ? make_served_method : make_method);
   need_at("--method", admit_plugin(spec).and_then([&] { return make_method(spec); }));
-  return Asker(options.search.options_for(found.value), std::move(methods));
+  const SearchOptions search = options.search.options_for(found.value);
+  return may_crash ? Asker(limited(search), MethodSet(make_served_method)) : Asker(search);
 }
 
 /// Writes the case and beside it the tree that it may have; only one that is as it was has a tree.

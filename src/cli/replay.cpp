@@ -63,7 +63,7 @@ Change change_of(Check::Status expected, Check::Status got) {
 /// What asks methods, for one thread. One that is expected to end in an error is asked in another
 /// process, since it may end this one. Neither is told a time.
 struct Askers {
-  Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_untimed_method)};
+  Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_served_method)};
 };
 
 /// The results of one entry.

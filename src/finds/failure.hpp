@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -73,8 +74,13 @@ Change change_of(const Expected& expected, const Expected& got);
 inline constexpr std::uint64_t kEnoughPops = 2000;
 
 /// Seconds of one query, so that none holds up the end of a command, or Ctrl-C, for longer. Pops
-/// alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
+/// alone do not bound that: one of exact arithmetic on high degrees takes 50 ms. A method that is
+/// served and looks at the clock (Deadline) ends long before that is a hang (kServedLimits).
 inline constexpr double kLongestQuerySeconds = 5;
+inline SearchOptions limited(SearchOptions search) {
+  search.max_seconds = std::min(search.max_seconds, kLongestQuerySeconds);
+  return search;
+}
 
 /// The `asked` of a case that failed in such a search. It allows more pops: what fails within few
 /// does so with more.

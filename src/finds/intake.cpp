@@ -199,15 +199,15 @@ Result<void> Intake::finish(const Finish& how) {
         const Failure& failure = find.failure;
         Asker& asker = askers.local();
         if (how.shrinks(failure)) {
-          const MinimiseOptions options{how.max_trials, how.is_late, how.admits};
-          find.value = minimise(find.value, failure, asker, options).value;
+          find.value = minimise(find.value, failure, asker, how.minimising).value;
         }
         const CheckedCase known = checked_or_unknown(find.value);
         if (is_false_negative(failure.outcome)) {
           find.depth = depth_of(known, asker.ask(failure.who, known)).value_or(0);
         }
         const Expected shown{failure.outcome, failure.cause};
-        find.differs = !how.is_late() && asker.differs(failure.who, known, shown, asker.search());
+        find.differs =
+            !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
         asker.ask_others(find.value, how.methods);
         return find;
       },

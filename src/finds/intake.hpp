@@ -71,13 +71,9 @@ class Intake {
 
   struct Finish {
     int threads = 1;
-    /// Whether to minimise the find of a failure, in at most this many trials.
+    /// Whether to minimise the find of a failure, and how.
     std::function<bool(const Failure&)> shrinks;
-    std::uint64_t max_trials = 1000;
-    /// True ends minimising.
-    std::function<bool()> is_late;
-    /// What a minimised find must stay (MinimiseOptions).
-    std::function<bool(const Case&)> admits;
+    MinimiseOptions minimising;
     /// The methods that each find is to say what it expects of.
     std::vector<std::string> methods;
     /// True ends it.

@@ -8,7 +8,8 @@
 namespace ccdfuzz {
 
 struct MinimiseOptions {
-  std::uint64_t max_trials = 1000;  ///< how often to ask whether it still fails
+  /// How often to ask whether it still fails; most finds need fewer to come to an end.
+  std::uint64_t max_trials = 1000;
   /// Asked before each trial: true ends it, with what there is.
   std::function<bool()> stop = [] { return false; };
   /// Simpler cases of which this is false are not asked about, if it is true of the first.

@@ -29,8 +29,6 @@ constexpr std::uint64_t kMutantsPerDraw = 16;
 constexpr std::uint64_t kFounders = 64;
 /// CPU time of a breeding turn of a hunt by time.
 constexpr double kSlice = 0.02;
-/// Trials of one find that is shrunk; most need fewer to come to an end.
-constexpr std::uint64_t kShrinkTrials = 1000;
 
 /// The result of a turn.
 struct Done {
@@ -52,12 +50,6 @@ struct Nursery {
   /// Draws that were asked about and have not joined yet, by index.
   std::map<std::uint64_t, std::vector<CheckedCase>> waiting = {};
 };
-
-/// A query that takes no longer than kLongestQuerySeconds.
-SearchOptions limited(SearchOptions search) {
-  search.max_seconds = std::min(search.max_seconds, kLongestQuerySeconds);
-  return search;
-}
 
 /// A hunt by time depends on the clock anyway. A plug-in is asked nothing more about a query after
 /// kLongestQuerySeconds. For the question that it has it may take its own time (seconds=S), and so
@@ -296,8 +288,11 @@ class Hunt {
     const auto admits = [this](const Case& value) {
       return options_.ground.broken_by(value).empty();
     };
-    return intake_.finish(
-        {options_.threads, shrinks, kShrinkTrials, is_late, admits, options_.methods, stop_});
+    return intake_.finish({.threads = options_.threads,
+                           .shrinks = shrinks,
+                           .minimising = {.stop = is_late, .admits = admits},
+                           .methods = options_.methods,
+                           .stop = stop_});
   }
 
   const HuntOptions options_;

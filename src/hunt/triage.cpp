@@ -91,7 +91,7 @@ Triage::Triage(Store& store, TriageOptions options)
           store, [this] { return make_asker(); }, [this] { return make_asker(); }) {}
 
 Asker Triage::make_asker() {
-  return Asker(options_.search, MethodSet(options_.make),
+  return Asker(limited(options_.search), MethodSet(options_.make),
                [this](const std::string& method, const Case& value) {
                  return told("loss", value, method).value_or(Told()).text;
                });

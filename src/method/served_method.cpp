@@ -14,7 +14,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// A question of the line protocol, but for the query, which stands as in a case, and max_work.
+/// A question of the line protocol, but for the query, which stands as in a case.
 struct Question {
   std::string ask;
   std::uint64_t id = 0;
@@ -23,19 +23,9 @@ struct Question {
   static void fields(auto& archive, auto& question) {
     archive("ask", question.ask);
     archive.optional("id", question.id);
-    archive.optional("precision", question.options.precision);
-    archive.optional("max_iterations", question.options.max_pops);
-    archive.optional("max_bytes", question.options.max_bytes);
-    archive.optional("max_seconds", question.options.max_seconds);
-    archive.optional("max_work", question.options.max_work);
+    limit_fields(archive, question.options);
   }
 };
-
-Result<std::unique_ptr<Method>> made_and_served(const std::string& spec, Told told) {
-  Result<std::unique_ptr<Method>> made = make_method(spec);
-  if (!made || (*made)->runs_elsewhere()) return made;
-  return served_method(spec, kServedLimits, told);
-}
 
 }  // namespace
 
@@ -73,27 +63,22 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
   });
 }
 
-Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits,
-                                              Told told) {
+Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits) {
   return served_child({spec}, limits).map([&](ChildProgram program) {
-    constexpr double kShare = 1.0 / 6;
     KnownPlugin plugin;
     plugin.spec.text = spec;
     plugin.spec.repeats = false;
+    plugin.spec.seconds = SearchOptions::kNoTimeLimit;
     plugin.program = std::move(program);
-    plugin.most_seconds =
-        told == Told::kNoTime ? SearchOptions::kNoTimeLimit : kShare * limits.cpu_seconds;
     plugin.is_ours = true;
     return make_plugin_method(std::make_shared<const KnownPlugin>(std::move(plugin)));
   });
 }
 
 Result<std::unique_ptr<Method>> make_served_method(const std::string& spec) {
-  return made_and_served(spec, Told::kShareOfTime);
-}
-
-Result<std::unique_ptr<Method>> make_untimed_method(const std::string& spec) {
-  return made_and_served(spec, Told::kNoTime);
+  Result<std::unique_ptr<Method>> made = make_method(spec);
+  if (!made || (*made)->runs_elsewhere()) return made;
+  return served_method(spec, kServedLimits);
 }
 
 }  // namespace ccdfuzz

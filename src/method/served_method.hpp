@@ -11,21 +11,14 @@ namespace ccdfuzz {
 /// waits for ever uses no CPU time.
 inline constexpr ChildLimits kServedLimits = {.seconds = 300, .cpu_seconds = 30};
 
-/// A method may be told a sixth of the CPU time as its max_seconds. One that looks at the clock
-/// (Deadline) then ends long before that. The oracle counts and does not look; it takes less than
-/// a second on inputs of fuzzers. Else no clock decides what a method answers, but whether it
-/// hangs.
-enum class Told : std::uint8_t { kShareOfTime, kNoTime };
-
 /// A built-in method that answers in a process of its own, `ccdfuzz serve SPEC`. So its crash or
 /// hang is a MethodFault. A child that has answered before is not accused: a new one is asked.
 /// Undecided, with a note: the system refuses a process. Errors: as served_child.
-Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits,
-                                              Told told = Told::kShareOfTime);
+Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits);
 
-/// make_method, served. A method that runs elsewhere already stays as it is.
+/// make_method, served. A method that runs elsewhere already stays as it is. Without a max_seconds
+/// no clock decides what it answers, but whether it hangs.
 Result<std::unique_ptr<Method>> make_served_method(const std::string& spec);
-Result<std::unique_ptr<Method>> make_untimed_method(const std::string& spec);
 
 /// What the child answers to a line of the line protocol.
 std::string served_answer(const std::string& spec, Method& method, const std::string& question);

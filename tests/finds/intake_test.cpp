@@ -226,13 +226,8 @@ TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {
   Taken taken(folder.path(), 2);
   taken.offer(find_of(31));
   const std::atomic<bool> stop = false;
-  ASSERT_TRUE(taken.intake.finish({1,
-                                   [](const Failure&) { return true; },
-                                   1000,
-                                   [] { return false; },
-                                   [](const Case&) { return true; },
-                                   {"tdibm", "other"},
-                                   stop}));
+  ASSERT_TRUE(
+      taken.intake.finish({1, [](const Failure&) { return true; }, {}, {"tdibm", "other"}, stop}));
   const std::vector<Case> cases = cases_in(folder.path());
   ASSERT_EQ(cases.size(), 1U);
   EXPECT_LT(rank_of(cases[0].query), rank_of(find_of(31).query));

@@ -50,12 +50,20 @@ struct PluginDescription {
   Features features;
 };
 
+/// The limits of a question. has_work: with max_work, which is of our own methods.
+void limit_fields(auto& archive, auto& options, bool has_work = true) {
+  archive.when(true, "precision", options.precision);
+  archive.when(true, "max_iterations", options.max_pops);
+  archive.when(true, "max_seconds", options.max_seconds);
+  archive.when(true, "max_bytes", options.max_bytes);
+  archive.when(has_work, "max_work", options.max_work);
+}
+
 /// The line protocol: one JSON object a line each way; docs/plug-ins.md has it in words.
 std::string describe_request(const std::string& options);
-/// max_seconds: in place of that of the options. Coordinates that are not finite become the words
-/// "nan", "inf" and "-inf". tells_work: the options' max_work, too, which is of our own methods.
-std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
-                          std::uint64_t id, bool tells_work);
+/// Coordinates that are not finite become the words "nan", "inf" and "-inf". has_work: as above.
+std::string query_request(const Query& query, const SearchOptions& options, std::uint64_t id,
+                          bool has_work);
 
 /// The fault of a plug-in that cannot be used at all: it is the user who must act.
 inline constexpr const char* kRefusal = "refused";

@@ -52,19 +52,15 @@ std::string describe_request(const std::string& options) {
                      json_string(options));
 }
 
-std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
-                          std::uint64_t id, bool tells_work) {
+std::string query_request(const Query& query, const SearchOptions& options, std::uint64_t id,
+                          bool has_work) {
   return to_json([&](auto& question) {
     question.constant("ask", "query");
     question("id", id);
     question("patches", std::array{asked_patch(query.patches[0]), asked_patch(query.patches[1])});
     question("t_max", query.t_max);
     question.optional("separation", query.separation);
-    question("precision", options.precision);
-    question("max_iterations", options.max_pops);
-    question("max_seconds", max_seconds);
-    question("max_bytes", options.max_bytes);
-    question.when(tells_work, "max_work", options.max_work);
+    limit_fields(question, options, has_work);
   });
 }
 

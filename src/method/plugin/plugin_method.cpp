@@ -165,10 +165,9 @@ class PluginMethod : public Method {
       has_repeated_ = false;
       if (!plugin_->is_ours) check_description(described->line);
     }
-    const double max_seconds = std::min(options.max_seconds, plugin_->most_seconds);
-    const std::string line =
-        query_request(query, options, max_seconds, ++last_id_, plugin_->is_ours);
-    const auto reply = worker_.ask(line);
+    SearchOptions told = options;
+    told.max_seconds = std::min(told.max_seconds, plugin_->spec.seconds);
+    const auto reply = worker_.ask(query_request(query, told, ++last_id_, plugin_->is_ours));
     if (!reply) throw_fault(reply.error());
     return read_answer(*reply, last_id_, query.t_max);
   }
@@ -230,8 +229,7 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
                        fmt::format("\"{}\": {}", text,
                                    why.empty() ? "refuses to start, and does not say why" : why));
   }
-  return std::make_shared<const KnownPlugin>(
-      KnownPlugin{spec, std::move(description), program, spec.seconds});
+  return std::make_shared<const KnownPlugin>(KnownPlugin{spec, std::move(description), program});
 }
 
 /// Those that were met, by spec or name.

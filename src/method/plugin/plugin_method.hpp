@@ -13,7 +13,6 @@ struct KnownPlugin {
   PluginSpec spec;
   tl::expected<PluginDescription, Fault> description;
   ChildProgram program;
-  double most_seconds;  ///< a question's max_seconds is no more than this
   /// A built-in method in a child (served_method). It is asked on however often it hangs. What only
   /// a child does that has answered before is not its fault.
   bool is_ours = false;
