@@ -51,7 +51,7 @@ void turn_fields(auto& archive, auto& turn) {
 
 /// The faces of a body, which is no mesh without them.
 void face_fields(auto& archive, auto& patch) {
-  const Each<Each<Within<int>>> corners{{within(0, static_cast<int>(patch.positions.size()) - 1)}};
+  const Each<Each<Within<int>>> corners{{{0, static_cast<int>(patch.positions.size()) - 1}}};
   archive.optional("faces", patch.faces, {}, corners, [](const auto& faces) {
     return faces.empty()
                ? fmt::format("has none; a mesh has 1..{}, and a hull no such key", kMaxFaces)

@@ -61,7 +61,7 @@ struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
     auto& shape = patch.shape;
     archive("shape", shape.kind);
-    const auto degree = within(1, kMaxDegree);
+    const auto degree = Within{1, kMaxDegree};
     if (shape.kind == ShapeKind::kTensor) {
       std::array degrees{shape.n, shape.m};
       archive("degree", degrees, Each{degree});
@@ -123,7 +123,7 @@ struct JsonForm<MovingPatch<double>> {
     turn_fields(archive, patch.turn);
     face_fields(archive, patch);
     int sides = patch.one_sided ? 1 : 2;
-    archive.optional("sides", sides, 2, within(1, 2));
+    archive.optional("sides", sides, 2, Within{1, 2});
     if constexpr (kReads<decltype(archive)>) {
       patch.one_sided = sides == 1;
       if (const auto fault = fault_of_faces(patch)) archive.object().refuse_below(*fault);
@@ -145,8 +145,8 @@ template <>
 struct JsonForm<ContactBox> {
   static void fields(auto& archive, auto& box) {
     archive("centre", box.centre);
-    archive("dependent", box.dependent, Each{within(0, 2)});
-    archive("varied", box.varied, Each{within(0, ContactBox::kTime)}, [](const auto& places) {
+    archive("dependent", box.dependent, Each{Within{0, 2}});
+    archive("varied", box.varied, Each{Within{0, ContactBox::kTime}}, [](const auto& places) {
       const bool ascending = places[0] < places[1] && places[1] < places[2];
       return std::string(ascending ? "" : "is not ascending");
     });
@@ -172,8 +172,8 @@ template <>
 struct JsonForm<TreeRef> {
   static void fields(auto& archive, auto& tree) {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
-    archive("offset", tree.offset, within(std::uint64_t{0}, kMost));
-    archive("length", tree.length, within(std::uint64_t{1}, kMost));
+    archive("offset", tree.offset, Within{std::uint64_t{0}, kMost});
+    archive("length", tree.length, Within{std::uint64_t{1}, kMost});
     archive("xxh3", tree.xxh3, [](const std::string& hash) {
       const bool good =
           hash.size() == 32 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -288,7 +288,7 @@ struct JsonForm<Asked> {
     archive.optional("precision", asked.precision, Asked().precision, [](double precision) {
       return std::string(Asked::admits(precision) ? "" : "is not in [2^-50, 1]");
     });
-    archive.optional("max_pops", asked.max_pops, Asked().max_pops, within(std::uint64_t{1}, kMost));
+    archive.optional("max_pops", asked.max_pops, Asked().max_pops, Within{std::uint64_t{1}, kMost});
   }
 };
 

@@ -87,15 +87,12 @@ void read_json(const JsonCursor& from, T& value);
 template <class T>
 struct Within {
   T least, most;
-
   std::string operator()(const T& value) const {
     return least <= value && value <= most ? "" : fmt::format("is outside {}..{}", least, most);
   }
 };
 template <class T>
-Within<T> within(T least, T most) {
-  return {least, most};
-}
+Within(T, T) -> Within<T>;
 inline std::string not_negative(double value) {
   return compare(value, 0) < 0 ? "is negative" : "";
 }

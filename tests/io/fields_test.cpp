@@ -19,7 +19,7 @@ struct Inner {
   Colour colour = Colour::kRed;
 
   static void fields(auto& archive, auto& inner) {
-    archive("level", inner.level, within(0, 9));
+    archive("level", inner.level, Within{0, 9});
     archive("colour", inner.colour);
   }
   friend bool operator==(const Inner&, const Inner&) = default;
@@ -45,7 +45,7 @@ struct Outer {
     archive("flag", outer.flag);
     archive("maybe", outer.maybe);
     archive.optional("note", outer.note);
-    archive("numbers", outer.numbers, Each{within(-5, 5)});
+    archive("numbers", outer.numbers, Each{Within{-5, 5}});
     archive("pair", outer.pair);
     archive.optional("colours", outer.colours);
     archive("inner", outer.inner);

@@ -31,7 +31,7 @@ struct JsonForm<Domain::Side> {
     const std::uint32_t least = side.shape == ShapeKind::kPoint ? 0 : 1;
     const std::uint32_t most = side.shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
     side.max_degree = most;
-    archive.optional("max_degree", side.max_degree, {}, within(least, most));
+    archive.optional("max_degree", side.max_degree, {}, Within{least, most});
   }
 };
 
@@ -273,8 +273,8 @@ struct JsonForm<PluginDescription> {
     const bool is_relative = d.tolerance_kind == ToleranceKind::kTimeRelative ||
                              d.tolerance_kind == ToleranceKind::kSpaceRelative;
     const double most = is_relative ? kMostRelativeTolerance : kMostTolerance;
-    archive.optional("tolerance", d.tolerance, {}, within(0.0, most));
-    archive.optional("minimum_separation", d.minimum_separation, {}, within(0.0, kMostTolerance));
+    archive.optional("tolerance", d.tolerance, {}, Within{0.0, most});
+    archive.optional("minimum_separation", d.minimum_separation, {}, Within{0.0, kMostTolerance});
     archive.optional("nan_policy", d.nan_policy);
     archive.optional("ordinary", domain.ordinary);
     archive.optional("plane", domain.plane);
@@ -283,7 +283,7 @@ struct JsonForm<PluginDescription> {
     domain.binary32 = width == NumberWidth::k32;
     constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
     std::uint64_t scale = 0;
-    archive.optional("within", scale, {}, within(std::uint64_t{0}, kWidestScale));
+    archive.optional("within", scale, {}, Within{std::uint64_t{0}, kWidestScale});
     if (scale > 0) domain.scale = static_cast<int>(scale);
   }
 };
