@@ -49,13 +49,17 @@ int any_int(Draw& choices) {
   return static_cast<int>(any);
 }
 
-/// Small numbers, so that a method which looks at them answers soon.
+/// Any numbers, or small ones, so that a method which looks at them answers soon.
 Question draw_valid(Draw& choices) {
   constexpr std::array kMaxDegrees = {1, 2, 1, 2, 1, 2, 1, kMaxDegree};
   Question drawn;
-  drawn.query = draw_query(choices, choices.pick(kMaxDegrees),
-                           [](Draw& d) { return d.integer(-8, 8) / 4.0; });
-  drawn.query.t_max = choices.integer(0, 8) / 4.0;
+  if (choices.choose(3) == 3) {
+    drawn.query = draw_any_query(choices);
+  } else {
+    drawn.query = draw_query(choices, choices.pick(kMaxDegrees),
+                             [](Draw& d) { return d.integer(-8, 8) / 4.0; });
+    drawn.query.t_max = choices.integer(0, 8) / 4.0;
+  }
   drawn.options.precision = std::ldexp(1.0, -static_cast<int>(choices.choose(60)));
   drawn.options.max_pops = choices.choose(4);
   drawn.options.max_bytes = choices.choose(1 << 20);
@@ -170,6 +174,10 @@ void check_refusals(Draw& d) {
   if (to_answer) {
     CLAIM(answer.verdict != Verdict::kRefused);
     CLAIM(outcome != Outcome::kError);
+    CLAIM(answer.verdict != Verdict::kMiss || !answer.toi);
+    for (std::size_t s = 0; s < 2 && answer.verdict == Verdict::kHit && answer.has_uv; ++s) {
+      CLAIM(question.query.patches[s].shape.contains(answer.uv[s]));
+    }
   } else {
     CLAIM(answer.verdict == Verdict::kRefused);
     CLAIM(outcome == Outcome::kNotAsked);
@@ -194,8 +202,9 @@ void check_validity(Draw& d) {
 std::vector<Property> any_bits_claims() {
   return {
       {"methods.refuses_invalid",
-       "A method refuses a query and options that are not valid, naming field and value, and "
-       "answers all others",
+       "A method refuses a query and options that are not valid, naming field and value. It "
+       "answers "
+       "all others, with a toi in [0, t_max] and parameters in their domains",
        "src/method/method.hpp", check_refusals},
       {"query.is_valid",
        "What methods take, and validate accepts, is what the fields are documented to hold; what "

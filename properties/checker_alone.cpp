@@ -29,7 +29,8 @@ Vec3<double> draw_halves(Draw& d) {
   return point;
 }
 
-/// Two patches whose first control points, at u = v = 0, meet at the witness's time.
+/// Two patches whose first control points, at u = v = 0, meet at the witness's time. Some are
+/// rational, and of some a half counts that has this corner.
 Case draw_meeting(Draw& d) {
   constexpr std::array kShapes = {Shape::point(),  Shape::curve(1),    Shape::triangle(1),
                                   Shape::curve(2), Shape::triangle(2), Shape::tensor(1, 1)};
@@ -42,6 +43,12 @@ Case draw_meeting(Draw& d) {
       patch.positions.push_back(draw_halves(d));
       patch.velocities.push_back(is_rigid && i > 0 ? patch.velocities[0] : draw_halves(d));
     }
+    const bool is_rational = d.choose(3) == 3, is_trimmed = d.choose(3) == 3;
+    for (int i = 0; is_rational && i < patch.shape.control_count(); ++i) {
+      patch.weights.push_back(d.integer(1, 4));
+    }
+    if (is_trimmed && patch.shape.parameter_count() == 2)
+      patch.trim = {{{0, 0}, {0.5, 0}, {0, 0.5}}};
   }
   MovingPatch<double>&one = drawn.query.patches[0], &two = drawn.query.patches[1];
   two.positions[0] = one.positions[0] + t * (one.velocities[0] - two.velocities[0]);
@@ -142,6 +149,8 @@ AcceptedCertificates hold_certificates(Draw& d) {
     show(d, "shape", patch.shape);
     show(d, "positions", patch.positions);
     show(d, "velocities", patch.velocities);
+    show(d, "weights", patch.weights);
+    show(d, "trim", patch.trim);
   }
   show(d, "t", witness.t);
   Rational touched = witness.t;  // by this time at the latest
@@ -187,7 +196,8 @@ AcceptedCertificates hold_certificates(Draw& d) {
 
 std::vector<Property> checker_alone_claims() {
   return {{"checker.agrees_with_itself",
-           "No proof of absence that the checker accepts covers a contact that it accepts",
+           "No proof of absence that the checker accepts covers a contact that it accepts, also of "
+           "rational and trimmed patches",
            "src/certify/checker/check_truth.hpp", [](Draw& d) { hold_certificates(d); }}};
 }
 

@@ -30,58 +30,40 @@ std::array<Vec3<Dyadic>, 2> tangents_at(const Points<Dyadic>& points, const Bary
           slope(points, x, towards(corner_point(2), corner_point(1)))};
 }
 
-/// Steps I and II of the paper's construction.
-struct StaticContact {
-  ContactClass contact = ContactClass::kFF;
-  std::array<Barycentric, 2> x;
-  std::array<Points<Dyadic>, 2> points;
-};
+/// Steps I and II: the patches meet. Eq. 19: in FF both have the same tangent plane; in EF the edge
+/// of patch 1 lies in that of patch 2. Step III: a local part has the point at the same feature.
+/// Step IV: the contact points come from their sides of the plane in FF, EF, EE and VF.
+void check_paper_steps(Draw& d) {
+  const ContactClass contact = show(d, "class", d.pick(kContactClasses));
+  const auto features = features_of(contact);
+  PrescribedContact at;
+  for (std::size_t s = 0; s < 2; ++s) at.x[s] = prescribe_in_parent(features[s], d);
+  const auto points = show(d, "points", static_contact(at.x, d));
+  CLAIM(point_at(points[0], at.x[0]) == point_at(points[1], at.x[1]));
 
-StaticContact draw_static_contact(Draw& d) {
-  StaticContact drawn;
-  drawn.contact = d.pick(kContactClasses);
-  const auto features = features_of(drawn.contact);
-  for (std::size_t s = 0; s < 2; ++s) drawn.x[s] = prescribe_in_parent(features[s], d);
-  drawn.points = static_contact(drawn.x, d);
-  show(d, "class", drawn.contact);
-  show(d, "points", drawn.points);
-  return drawn;
-}
-
-/// Eq. 19: in FF both patches have the same tangent plane; in EF the edge of patch 1 lies in that
-/// of patch 2.
-void check_tangency(Draw& d) {
-  const StaticContact drawn = draw_static_contact(d);
-  const auto features = features_of(drawn.contact);
-  suppose(features[1] == Feature::kFace && features[0] != Feature::kCorner);
-  const auto face = tangents_at(drawn.points[1], drawn.x[1]);
+  const auto face = tangents_at(points[1], at.x[1]), other = tangents_at(points[0], at.x[0]);
   const Vec3<Dyadic> normal = cross(face[0], face[1]);
   std::vector<Vec3<Dyadic>> in_plane;
-  if (features[0] == Feature::kFace) {
-    const auto other = tangents_at(drawn.points[0], drawn.x[0]);
-    in_plane = {other[0], other[1]};
-  } else {
-    const int corner = corner_opposite(drawn.x[0]);
-    in_plane = {slope(drawn.points[0], drawn.x[0],
+  if (contact == ContactClass::kFF) in_plane = {other[0], other[1]};
+  if (contact == ContactClass::kEF) {
+    const int corner = corner_opposite(at.x[0]);
+    in_plane = {slope(points[0], at.x[0],
                       towards(corner_point((corner + 1) % 3), corner_point((corner + 2) % 3)))};
   }
   for (const Vec3<Dyadic>& tangent : in_plane) CLAIM(dot(tangent, normal).sign() == 0);
-}
 
-/// The contact points come from their sides of the plane in FF, EF, EE and VF.
-void check_motion(Draw& d) {
-  const StaticContact drawn = draw_static_contact(d);
-  const PrescribedContact contact{Dyadic(d.integer(1, 8), -3), drawn.x};
-  const auto tangents = tangents_at(drawn.points[1], drawn.x[1]);
-  const Vec3<Dyadic> normal = cross(tangents[0], tangents[1]);
-  const auto patches = set_in_motion(drawn.points, contact, normal, drawn.contact, d);
-  const bool free = drawn.contact == ContactClass::kVE || drawn.contact == ContactClass::kVV;
+  const LocalPatch part = choose_local_patch(at.x[0], d);
+  CLAIM(point_at(extract(points[0], part), part.x) == point_at(points[0], at.x[0]));
+  CLAIM(feature_at(part.x) == feature_at(at.x[0]));
+
+  at.t = Dyadic(d.integer(1, 8), -3);
+  const auto patches = set_in_motion(points, at, normal, contact, d);
+  const bool free = contact == ContactClass::kVE || contact == ContactClass::kVV;
   for (std::size_t s = 0; s < 2; ++s) {
     show(d, "patch", s + 1);
-    CLAIM(patches[s].at(contact.t) == drawn.points[s]);
-    const int towards_other = dot(normal, point_at(patches[s].velocities, drawn.x[s])).sign();
-    const bool zero = normal[0].sign() == 0 && normal[1].sign() == 0 && normal[2].sign() == 0;
-    CLAIM(free || zero || towards_other * (s == 0 ? -1 : 1) >= 0);
+    CLAIM(patches[s].at(at.t) == points[s]);
+    const int towards_other = dot(normal, point_at(patches[s].velocities, at.x[s])).sign();
+    CLAIM(free || normal == Vec3<Dyadic>() || towards_other * (s == 0 ? -1 : 1) >= 0);
   }
 }
 
@@ -183,25 +165,10 @@ void check_generated_clearance(Draw& d) {
 
 std::vector<Property> generator_steps_claims() {
   return {
-      {"generator.coincidence", "The patches of Step II meet at the prescribed parameters, exactly",
-       "Section 5.1, Step II",
-       [](Draw& d) {
-         const auto [contact, x, points] = draw_static_contact(d);
-         CLAIM(point_at(points[0], x[0]) == point_at(points[1], x[1]));
-       }},
-      {"generator.tangency", "Face contacts are tangential where the paper constrains them",
-       "Eq. 19, Section 5.3", check_tangency},
-      {"generator.extraction", "A local part holds the contact point at the same feature",
-       "Section 5.1, Step III, Appendix E.4",
-       [](Draw& d) {
-         const StaticContact drawn = draw_static_contact(d);
-         const LocalPatch part = choose_local_patch(drawn.x[0], d);
-         const Points<Dyadic> points = extract(drawn.points[0], part);
-         CLAIM(point_at(points, part.x) == point_at(drawn.points[0], drawn.x[0]));
-         CLAIM(feature_at(part.x) == feature_at(drawn.x[0]));
-       }},
-      {"generator.motion", "Patches in motion are in place at t*, each coming from its side",
-       "Section 5.1, Step IV, Section 5.2", check_motion},
+      {"generator.paper_steps",
+       "The patches of Step II meet, tangentially where the paper constrains them; a local part "
+       "holds the point at the same feature; in motion they come from their sides, to their places",
+       "Sections 5.1 to 5.3, Eq. 19, Appendix E.4", check_paper_steps},
       {"generator.grazing",
        "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",
        "Section 5.2", check_grazing},

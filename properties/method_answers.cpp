@@ -1,7 +1,5 @@
 #include <cmath>
 
-#include "case/judge.hpp"
-#include "certify/checker/check_case.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
@@ -31,21 +29,6 @@ void check_no_state(Draw& d) {
   show(d, "asked before", *second);
   claim_same(used->answer(first->query, kShortSearch), expected);
   claim_same(fresh->answer(first->query, kShortSearch), expected);
-}
-
-/// Any finite numbers in any two shapes. The answer is none that the judge calls an error, and
-/// parameters of a hit lie in the patches' domains.
-void check_answers_make_sense(Draw& d) {
-  const char* name = d.pick(kEveryMethod);
-  Case drawn;
-  drawn.query = draw_any_query(d);
-  const Answer answer = asked(d, name, drawn.query, kShortSearch);
-  CLAIM(judge(checked_contact(drawn), answer) != Outcome::kError);
-  CLAIM(answer.verdict != Verdict::kMiss || !answer.toi);
-  if (answer.verdict != Verdict::kHit) return;
-  for (std::size_t s = 0; s < 2; ++s) {
-    CLAIM(drawn.query.patches[s].shape.contains(answer.uv[s]));
-  }
 }
 
 /// About a contact of ordinary numbers: the second patch is lifted by up to 2^-3 of a unit, so that
@@ -133,9 +116,6 @@ std::vector<Property> method_answers_claims() {
   return {
       {"methods.no_state", "A method answers as a fresh one does, whatever it was asked before",
        "src/method/method.hpp", check_no_state},
-      {"methods.sensible_answers",
-       "On any finite numbers, toi is within [0, t_max] and parameters are in their domains",
-       "src/case/judge.hpp", check_answers_make_sense},
       {"methods.not_contradicted_anywhere",
        "No claim to miss nothing is contradicted by the oracle near contacts or on any finite "
        "numbers in any two shapes, and the checker accepts the oracle there",

@@ -5,15 +5,16 @@
 #include <cmath>
 
 #include "case/judge.hpp"
+#include "case/scale.hpp"
 #include "ccd/search.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/show.hpp"
-#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
@@ -36,13 +37,19 @@ DrawCase contacts_in(const ContactRange& range) {
 }
 
 Case draw_transformed(Draw& draw) {
-  Case drawn = supposed(draw_contact(draw, kOrdinaryRange));
+  const Case drawn = supposed(draw_contact(draw, kOrdinaryRange));
   if (draw.coin()) return drawn;
-  for (const Symmetry symmetry : kSymmetries) {
-    if (draw.choose(3) != 3) continue;
-    if (const auto changed = transformed(drawn, symmetry, draw)) drawn = *changed;
+  constexpr std::array kMoves = {change_coordinates,  reparametrise,
+                                 elevate_degree,      restrict_to_child,
+                                 shift_in_null_space, trade_position_for_velocity};
+  constexpr int kOrdinaryBits = 100;  // products of as many numbers as methods multiply are normal
+  Contact q = supposed(contact_of(drawn));
+  for (int left = draw.integer(1, 4); left > 0; --left) {
+    Contact next = q;
+    if (!draw.pick(kMoves)(next, draw)) continue;
+    if (is_within_scale(next.query, kOrdinaryBits)) q = std::move(next);
   }
-  return drawn;
+  return case_of(q);
 }
 
 /// That, or a contact of the tiny or the many-bit range. The time step may be 2^30 times as long as

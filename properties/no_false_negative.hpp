@@ -34,8 +34,7 @@ void claim_no_false_negative(const std::string& method, const Case& value,
 using DrawCase = std::function<Case(Draw&)>;
 /// draw_contact of a range.
 DrawCase contacts_in(const ContactRange& range);
-/// An ordinary contact, half of the time after drawn changes of coordinates that keep it, each of
-/// them in one of four.
+/// An ordinary contact, half of the time after up to four of the mutator's exact moves.
 Case draw_transformed(Draw& draw);
 
 /// Checks of that claim on drawn contacts.

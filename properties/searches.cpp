@@ -7,7 +7,6 @@
 #include "properties/draw_weighted.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
-#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
