@@ -31,7 +31,7 @@ TEST(Check, ShrinksANamedPropertyAndRepeatsItsFailureFromItsChoices) {
 }
 
 TEST(Check, ChecksSomethingInHoweverLittleTime) {
-  for (const char* name : {"dyadic.round_trip", "generator.tangency"}) {
+  for (const char* name : {"dyadic.round_trip", "paper.path_is_case_1"}) {
     const auto rows = check({name, "--seconds", "1e-9", "--first", "7"});
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_GT(rows[0].at("checked"), rows[0].at("discarded")) << rows[0];
