@@ -294,8 +294,8 @@ void CommandLine::add_help() {
       const std::vector<CLI::App*> named = app_->get_subcommands(
           [&](const CLI::App* command) { return command->get_name() == name; });
       if (!name.empty() && named.empty()) throw BadInput{{name, no_such_command(*app_, name)}};
-      print_out(asked->manual ? manual_page(kProgram, CCDFUZZ_VERSION, all_described(*app_))
-                : asked->bash ? bash_completion(kProgram, all_described(*app_))
+      print_out(asked->manual ? manual_page(*app_, CCDFUZZ_VERSION)
+                : asked->bash ? bash_completion(*app_)
                               : help_of(name.empty() ? *app_ : *named.front()));
       return kDone;
     };

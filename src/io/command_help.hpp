@@ -2,9 +2,6 @@
 
 #include <exception>
 #include <string>
-#include <vector>
-
-#include "io/help.hpp"
 
 namespace CLI {
 class App;
@@ -15,11 +12,15 @@ namespace ccdfuzz {
 
 inline constexpr const char* kProgram = "ccdfuzz";
 
-/// The help of the program or of one of its commands: in groups, within 80 columns.
+/// The help of the program or of one of its commands: in groups, in lines of at most kTextWidth
+/// columns, unless a word is longer.
 std::string help_of(const CLI::App& app);
 
-/// The help of the program and its listed commands, the program first.
-std::vector<HelpCommand> all_described(const CLI::App& app);
+/// The manual page of the program in section 1, in the man macros of roff.
+std::string manual_page(const CLI::App& app, const std::string& version);
+
+/// The script by which bash completes the names of commands and options, and otherwise files.
+std::string bash_completion(const CLI::App& app);
 
 /// The command that was given; the program itself if none was.
 const CLI::App& chosen_command(const CLI::App& app);
