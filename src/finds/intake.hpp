@@ -44,7 +44,7 @@ class Intake {
   bool offer(const Failure& failure, Case find);
 
   /// Puts an entry of another folder: for the failure that it is named by, or under its own name.
-  /// If its query is there, the two become one (unite), and what they disagree about the
+  /// If its query is there, the two become one, and what they disagree about the
   /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
   /// for take_doubtful. If another find is stored for that failure, the smaller one stays. An entry
   /// whose method was not admitted is then kept beside it, named by the address of its query.

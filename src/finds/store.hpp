@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,10 +13,16 @@
 #include "finds/content_address.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
-#include "finds/unite.hpp"
 #include "io/folder_lock.hpp"
 
 namespace ccdfuzz {
+
+/// The outcome of a method now on a case; nothing where it cannot be asked. Asked about each method
+/// on which two entries of one query disagree, or whose outcome was judged by a weaker truth or
+/// asked in another way. Without it, or where it does not know, the outcome of the older entry
+/// stays, and else that of the other.
+using AskAgain =
+    std::function<std::optional<Expected>(const std::string& method, const CheckedCase& known)>;
 
 /// A folder of finds, one readable .json file for each failure, named by it (file_stem). Entries
 /// of any other name, those of sub-folders among them, are kept for themselves. A store neither
@@ -27,14 +34,14 @@ namespace ccdfuzz {
 ///  2. The entry of a failure is the smallest, by Rank, of all finds that were put for it. So what
 ///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
 ///     under its address.)
-///  3. If two entries have one query, the stronger truth stays (unite). Another find changes no
+///  3. If two entries have one query, the stronger truth stays. Another find changes no
 ///     expectation, unless the caller asks the method again.
 class Store {
  public:
   enum class Put {
     kNew,      ///< the first of its failure
     kSmaller,  ///< took the place of a larger one
-    kMerged,   ///< the query was there, and now says more of it (unite)
+    kMerged,   ///< the query was there, and now says more of it
     kKnown,    ///< nothing new, nothing written
   };
 
@@ -46,8 +53,8 @@ class Store {
   /// Puts a find that shows a failure, and makes the folder again if it was removed. Safe from
   /// several threads. Requires that the find expects the failure. trees: the file of trees beside
   /// the case, of which its own comes along; without it (empty) what a tree proves is left out.
-  /// again: as for unite. Errors: a refuted truth; a full disk or any other refusal of the system,
-  /// after which the entries so far remain.
+  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
+  /// entries so far remain.
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                   const AskAgain& again = nullptr);
 
