@@ -166,7 +166,8 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::st
   ReportPage report;
   report.title = fmt::format("Hunt of {:.0f} s", hunted.seconds);
   report.command = command_line();
-  report.course = {asked, hunted.course};
+  report.hunted = asked;
+  report.course = hunted.course;
   for (const HuntCell& cell : hunted.cells) {
     Row row{{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally};
     row.tally.seconds = {};  // a hunt is no measurement of times

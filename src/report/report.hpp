@@ -34,20 +34,15 @@ struct ReportedCase {
   }
 };
 
-/// How a hunt went.
-struct HuntCourse {
-  std::vector<std::string> methods;
-  std::vector<HuntSample> samples;  ///< in order
-};
-
 /// Everything that a page shows. Parts that are empty have no tab in it.
 struct ReportPage {
   std::string title;
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
-  std::vector<Row> rows;   ///< what figures are made of; untimed where nothing was timed
-  HuntCourse course;       ///< for a hunt
-  std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
+  std::vector<Row> rows;            ///< what figures are made of; untimed where nothing was timed
+  std::vector<std::string> hunted;  ///< the methods of a hunt
+  std::vector<HuntSample> course;   ///< how it went, in order
+  std::string scoreboard;           ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
   /// The curvatures of both patches of the positive cases at their contacts, as rms_curvature.
   LogHistogram curvatures;
   std::vector<ReportedCase> cases;

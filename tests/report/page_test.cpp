@@ -87,7 +87,8 @@ TEST(ReportPage, NoTextOfACaseEndsTheElementThatHoldsIt) {
 
 TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
   ReportPage report;
-  report.course = {{"tdibm", "trad"}, {{0.5, 10, 100, 1, {3, std::nullopt}}}};
+  report.hunted = {"tdibm", "trad"};
+  report.course = {{0.5, 10, 100, 1, {3, std::nullopt}}};
   report.scoreboard = R"({"rows": [{"what": "</script>"}]})";
   const std::string page = report_page(report, 1), none = report_page({}, 1);
   EXPECT_EQ(data_of(page)["course"]["samples"][0], Json::parse("[0.5, 10, 100, 1, [3, null]]"));
