@@ -15,7 +15,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/session.hpp"
-#include "files/run_work.hpp"
+#include "files/check_file.hpp"
 #include "io/command_help.hpp"
 #include "io/output_file.hpp"
 #include "method/method.hpp"

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "certify/checker/work_done.hpp"
-#include "files/case_files.hpp"
-#include "files/run_work.hpp"
+#include "files/check_file.hpp"
 #include "io/in_order.hpp"
 
 namespace ccdfuzz {

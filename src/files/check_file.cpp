@@ -2,14 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/work_done.hpp"
-#include "files/run_work.hpp"
 #include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
 namespace {
+
+struct Spent {
+  std::optional<std::uint64_t> most;
+  std::uint64_t all = 0, cases = 0, of_last = 0;
+  SourceBytes source;
+  std::string last;
+} spent;
 
 /// As check_case of the next case of a run, and RunWork::add.
 Result<void> check_in_run(const NamedCase& named) {
@@ -21,6 +29,31 @@ Result<void> check_in_run(const NamedCase& named) {
 }
 
 }  // namespace
+
+void RunWork::allow(std::uint64_t most) {
+  spent.most = most;
+}
+
+Result<void> RunWork::add(const NamedCase& named, std::uint64_t work) {
+  if (named.id != spent.last) {
+    spent.last = named.id;
+    spent.of_last = 0;
+    ++spent.cases;
+    spent.source.add(named);
+  }
+  if (work > spent.of_last) {
+    spent.all += work - spent.of_last;
+    spent.of_last = work;
+  }
+  const std::uint64_t by_size = std::min(spent.cases * kEachCase, spent.source.times(kEachByte));
+  const std::uint64_t most = spent.most.value_or(kStart + by_size);
+  if (spent.all <= most) return {};
+  return input_error(
+      named.id,
+      fmt::format("checking the cases up to this one takes more than {} operations on 64-bit "
+                  "words, the limit of a run; --max-work N sets another",
+                  most));
+}
 
 Result<CheckedCase> check_with_trees(Case value, const std::string& trees) {
   CCDFUZZ_TRY(const auto tree, tree_of(value.truth, trees));
