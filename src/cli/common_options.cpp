@@ -6,6 +6,7 @@
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
+#include "cli/default_budget.hpp"
 #include "cli/session.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -115,7 +116,7 @@ SearchOptions SearchFlags::options() const {
   return options;
 }
 
-SearchOptions SearchFlags::options_for(const Case& value) const {
+SearchOptions SearchFlags::options_for(const Case& value, std::uint64_t times) const {
   SearchOptions search = options();
   const Asked& own = value.asked;
   if (!precision) search.precision = own.precision;
@@ -123,6 +124,7 @@ SearchOptions SearchFlags::options_for(const Case& value) const {
   if (own.max_pops != Asked().max_pops) {
     search.max_pops = std::min(search.max_pops, own.max_pops);
   }
+  if (!max_pops) DefaultBudget::limit(search, value.query, times);
   return search;
 }
 

@@ -33,8 +33,8 @@ struct SearchFlags {
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
   SearchOptions options() const;
-  /// The same for one case, which may say how it is to be asked.
-  SearchOptions options_for(const Case& value) const;
+  /// The same for one case, which may say how it is to be asked. times: as for DefaultBudget.
+  SearchOptions options_for(const Case& value, std::uint64_t times = 1) const;
 };
 
 /// The plug-ins of expectations that were not allowed, and how many expectations each has.

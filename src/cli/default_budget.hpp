@@ -24,9 +24,8 @@ inline std::uint64_t work_of_a_pop(const Query& query) {
 class DefaultBudget {
  public:
   /// Limits an answer, so that all default methods together take about 5 s on two close patches
-  /// that none can decide.
-  /// times: a multiple of that budget.
-  static void limit(SearchOptions& search, const Query& query, std::uint64_t times = 1) {
+  /// that none can decide. times: a multiple of that budget.
+  static void limit(SearchOptions& search, const Query& query, std::uint64_t times) {
     const std::uint64_t pops = times * kWorkOfAnAnswer / work_of_a_pop(query);
     const std::uint64_t most = std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
     search.max_pops = std::min(search.max_pops, most);

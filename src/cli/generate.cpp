@@ -8,7 +8,7 @@
 #include "base/number_text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/made_cases.hpp"
+#include "cli/data_set.hpp"
 #include "cli/session.hpp"
 #include "generators/paper_set.hpp"
 #include "io/cpu_time.hpp"

@@ -7,7 +7,7 @@
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/made_cases.hpp"
+#include "cli/data_set.hpp"
 #include "cli/session.hpp"
 #include "eval/tables.hpp"
 #include "finds/entries.hpp"

@@ -123,8 +123,7 @@ int run_query(const QueryOptions& options, Session& session) {
         std::vector<Judged> answers;
         if (spent) return answers;
         const CheckedCase asked = need(decided_and_checked(named));
-        SearchOptions search = options.search.options_for(named.value);
-        if (by_default) DefaultBudget::limit(search, asked.query());
+        const SearchOptions search = options.search.options_for(named.value);
         for (const std::string& method : methods_for(named.value)) {
           Judged& judged = answers.emplace_back(ask(methods.local()[method], asked, search));
           judged.depth = depth_of(asked, judged).value_or(0);

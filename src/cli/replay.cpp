@@ -106,10 +106,9 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     result.not_proven = known.error();
     return result;
   }
-  SearchOptions search = options.search.options_for(entry.value);
   // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
   constexpr std::uint64_t kTimes = 16;
-  if (!options.search.max_pops) DefaultBudget::limit(search, known->query(), kTimes);
+  const SearchOptions search = options.search.options_for(entry.value, kTimes);
   for (const auto& [method, expected] : expectations(entry.value, options)) {
     if (!is_admitted(method)) {
       result.not_allowed.emplace(method, expected);

@@ -1,8 +1,4 @@
-#include "cli/made_cases.hpp"
-
-#include <fmt/format.h>
-
-#include "cli/common_options.hpp"
+#include "cli/data_set.hpp"
 
 namespace ccdfuzz {
 
