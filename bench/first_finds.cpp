@@ -81,7 +81,7 @@ class Run {
       : quarry_(quarry), search_(search), draws_(seed, quarry.ground) {
     for (const ContactClass contact : quarry.classes) {
       const Aim aim = search == Strategy::kMargins ? Aim::kMargins : Aim::kNothing;
-      cells_.push_back({contact, Breeder(quarry.method, seed, quarry.ground, aim), 0, 0, 0});
+      cells_.push_back({contact, Breeder(quarry.method, seed, quarry.ground, aim), 0});
     }
     for (Cell& cell : cells_) {
       cell.breeder.watch_losses(
@@ -121,7 +121,6 @@ class Run {
     ContactClass contact;
     Breeder breeder;
     std::uint64_t next_draw;
-    double drawn_seconds, bred_seconds;
   };
 
   double seconds_used(double most) {
@@ -130,24 +129,21 @@ class Run {
     while (!found_ && thread_cpu_seconds() - start < most) {
       const Turn turn = *schedule.next();
       const double begin = thread_cpu_seconds();
-      take_turn(cells_[turn.cell]);
+      take_turn(turn.what, cells_[turn.cell]);
       schedule.done(turn, thread_cpu_seconds() - begin);
     }
     return found_ ? thread_cpu_seconds() - start : kNever;
   }
 
-  void take_turn(Cell& cell) {
-    const double begin = thread_cpu_seconds();
-    const auto used = [&] { return thread_cpu_seconds() - begin; };
-    const bool has_founders =
-        asks_ ? cell.bred_seconds < cell.drawn_seconds : cell.next_draw == kFounders;
-    if (search_ != Strategy::kDraws && has_founders) {
+  void take_turn(Turn::What what, Cell& cell) {
+    const bool breeds = asks_ ? what == Turn::What::kBreed : cell.next_draw == kFounders;
+    if (search_ != Strategy::kDraws && breeds) {
       constexpr double kSlice = 0.02;
-      while (!found_ && used() < kSlice) {
+      const double begin = thread_cpu_seconds();
+      while (!found_ && thread_cpu_seconds() - begin < kSlice) {
         cell.breeder.step(methods_, budget(),
                           [&](const Case&, const Judged& judged) { note(judged); });
       }
-      cell.bred_seconds += used();
       return;
     }
     bool lost = false;  // the same contact, up to it and past it
@@ -162,7 +158,6 @@ class Run {
       if (search_ != Strategy::kDraws) cell.breeder.add(asked, methods_);
     }
     lost_draws_ += lost ? 1 : 0;
-    cell.drawn_seconds += used();
   }
 
   SearchOptions budget() const {

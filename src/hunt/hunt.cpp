@@ -312,8 +312,7 @@ class Hunt {
 }  // namespace
 
 bool breaks_claim(const Failure& failure) {
-  if (!is_false_negative(failure.outcome)) return false;
-  return claims_no_false_negative(failure.who);
+  return is_false_negative(failure.outcome) && claims_no_false_negative(failure.who);
 }
 
 HuntReport hunt(const HuntOptions& options, Store& store,

@@ -196,11 +196,8 @@ Result<void> OutputFile::commit() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed("write", errno);
   strike_unfinished(std::exchange(temporary_, {}));
   // The new name itself is on the disk only once the folder is.
-  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
-  }
+  const Descriptor folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (*folder >= 0) ::fsync(*folder);
   return {};
 }
 
