@@ -27,6 +27,15 @@ ENGINES = {
     "ipc-toolkit": ("source", "", ""),
     "tdib-ccd": ("source", "", ""),
 }
+# The options with which an adapter is asked about all that corpus/engines keeps of its engine.
+TAKES = {
+    "rapier": "mesh=1",
+    "physx": "mesh=1",
+    "planck": "spins=1",
+    "bullet": "mesh=1:spins=1",
+    "box2d": "turns=1",
+    "box3d": "turns=1",
+}
 # A folder with a folder of sources for each of the last ones, where --source names none.
 SOURCES = os.environ.get("CCDFUZZ_ENGINE_SOURCES")
 
@@ -90,13 +99,14 @@ def install_debian(build, name, package, module):
     found = subprocess.run(["pkg-config", "--modversion", module], capture_output=True, text=True)
     if found.returncode != 0:
         raise RuntimeError(f"Debian's package {package} is not installed")
+    version = found.stdout.strip()
     flags = [flag for flag in run(["pkg-config", "--cflags", "--libs", module]).split()
              if not flag.startswith("-std=")]
     library = folder / f"lib{name}_adapter.so"
     build_adapter(folder / "build.log",
                   ["c++", "-std=c++17", "-O2", "-shared", "-fPIC", f"-I{ROOT}/src/method/plugin",
-                   ADAPTERS / name / "adapter.cpp", "-o", library, *flags])
-    return folder, f"plugin:{library}", found.stdout.strip()
+                   f'-DENGINE_VERSION="{version}"', ADAPTERS / name / "adapter.cpp", "-o", library, *flags])
+    return folder, f"plugin:{library}", version
 
 
 def install_source(build, name, tree):

@@ -1,4 +1,4 @@
-// Bullet 3.24 (Debian libbullet-dev): the time of impact of two convex shapes, by
+// Bullet (Debian libbullet-dev): the time of impact of two convex shapes, by
 // btContinuousConvexCollision. Points and radii are floats; the margin of a hull is its radius.
 // With least-margin=0.04 it is asked only about margins of so much or more, as it recommends.
 // With spins=1 it is asked about bodies that spin by up to π/4, too: it turns none by more.
@@ -23,7 +23,7 @@ struct Bullet {
   }
 
   ccd::Description describe() const {
-    ccd::Description description{"Bullet", std::to_string(btGetVersion())};
+    ccd::Description description{"Bullet", ENGINE_VERSION};
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
     if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
     if (meshes) description.claims |= CCDFUZZ_TAKES_MESHES;

@@ -1,4 +1,4 @@
-// FCL 0.7 (Debian libfcl-dev): continuousCollide of balls and tetrahedra by conservative
+// FCL (Debian libfcl-dev): continuousCollide of balls and tetrahedra by conservative
 // advancement. Some turn, by InterpMotion, whose angular velocity is constant.
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/sphere.h>
@@ -16,7 +16,7 @@ struct FclBodies {
   explicit FclBodies(const std::string& text) { adapter::Options(text).check_all_known(); }
 
   static ccd::Description describe() {
-    ccd::Description description{"FCL", "0.7"};
+    ccd::Description description{"FCL", ENGINE_VERSION};
     description.claims =
         CCDFUZZ_TAKES_BODIES | CCDFUZZ_TAKES_SPINS | CCDFUZZ_ORDINARY;  // open ends
     description.within = 7;

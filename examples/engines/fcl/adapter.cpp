@@ -1,4 +1,4 @@
-// FCL 0.7 (Debian libfcl-dev): the vertex-face and edge-edge tests of its deforming meshes, which
+// FCL (Debian libfcl-dev): the vertex-face and edge-edge tests of its deforming meshes, which
 // look for the roots of a cubic in [0, 1].
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>
 
@@ -8,7 +8,7 @@ struct Fcl {
   explicit Fcl(const std::string& text) : options(text) { options.check_all_known(); }
 
   static adapter::ccd::Description describe() {
-    adapter::ccd::Description description{"FCL", "0.7"};
+    adapter::ccd::Description description{"FCL", ENGINE_VERSION};
     description.claims = CCDFUZZ_ORDINARY;  // neither a contact at 0 nor one at the end
     description.within = 14;
     description.promise =

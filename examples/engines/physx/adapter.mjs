@@ -65,7 +65,7 @@ function sweep(a, b, way) {
 
 // It states no tolerance: an overlap less deep than this is not held against it.
 const promise = promiseOf(import.meta.url);
-const hello = { name: 'PhysX', version: `5 (physx-js-webidl ${version})`, promise, tolerance: 1e-4,
+const hello = { name: 'PhysX', version, promise, tolerance: 1e-4,
                 bodies: [ball, stick, solid], sides: [1, 2] };
 await serve(hello, (...query) => {
   try {

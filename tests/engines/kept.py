@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+"""kept.py FOLDER: what script/engines says of the kept finds of an engine, where a stand-in answers for it."""
+import argparse
+import importlib.machinery
+import importlib.util
+import json
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "script"))
+
+
+def row(find, outcome, change, **more):
+    return {"case": f"corpus/engines/fcl/{find}.json", "method": "plugin:fcl", "outcome": outcome, "change": change, **more}
+
+
+def main():
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    loader = importlib.machinery.SourceFileLoader("engines", str(ROOT / "script/engines"))
+    engines = importlib.util.module_from_spec(importlib.util.spec_from_loader("engines", loader))
+    loader.exec_module(engines)
+
+    def said(*rows):
+        program = folder / "ccdfuzz"
+        program.write_text("#!/bin/sh\ncat <<'END'\n" + "\n".join(map(json.dumps, rows)) + "\nEND\nexit 1\n")
+        program.chmod(0o755)
+        return engines.replay_kept("fcl", "plugin:none", argparse.Namespace(program=program))
+
+    same = row("missed-EE", "missed", "as expected")
+    of_others = {**row("reported", "late", "improvement"), "method": "plugin:fcl-0-7-0"}
+    assert said(same, of_others) == ("fcl: 1 of 1 kept finds answer as kept", True)
+    assert said(same, row("missed-VF", "correct", "improvement"), row("missed-VV", "late", "improvement")) == (
+        "fcl: 1 of 3 kept finds answer as kept; missed-VF is mended; missed-VV is late", True)
+    assert said(same, row("missed-VF", "not_asked", "improvement", note="takes no meshes")) == (
+        "fcl: 1 of 2 kept finds answer as kept; missed-VF could not be asked: takes no meshes", False)
+    assert said(of_others) == ("fcl: none of its kept finds could be asked", False)
+    assert engines.replay_kept("tight-inclusion", "plugin:none", None) == ("", True)  # it has no finds
+
+
+main()
