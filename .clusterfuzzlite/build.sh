@@ -1,20 +1,17 @@
 #!/bin/bash -eu
 # Builds every fuzz target as OSS-Fuzz and ClusterFuzzLite ask for it: the compiler and its flags come
 # from CC, CXX, CFLAGS and CXXFLAGS, the engine from LIB_FUZZING_ENGINE, the sources are in
-# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, T.options, and T_seed_corpus.zip and T.dict where
-# there are any. What the targets need comes with them: libraries are linked statically.
+# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, T.options, T_seed_corpus.zip, and T.dict where
+# there is one. What the targets need comes with them: libraries are linked statically.
 cd -P "$SRC/ccdfuzz"
 build=$WORK/ccdfuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
   -DCCDFUZZ_TESTS=OFF -DCCDFUZZ_BENCH=OFF -DCCDFUZZ_EXAMPLES=OFF \
   -DCCDFUZZ_FUZZ_ENGINE="$LIB_FUZZING_ENGINE"
-cmake --build "$build" --target fuzz_targets witnessed_inputs
+cmake --build "$build" --target fuzz_targets witnessed_inputs claim_inputs
 
 seeds=$WORK/seeds
 rm -rf "$seeds"
-mkdir -p "$seeds"
-"$build/fuzz/witnessed_inputs" encode "$seeds/cases" corpus
-
 while IFS= read -r target; do
   name=fuzz_$target
   cp "$build/fuzz/$name" "$OUT/"
@@ -23,8 +20,6 @@ while IFS= read -r target; do
     if [ -e "fuzz/$target.$kind" ]; then cp "fuzz/$target.$kind" "$OUT/$name.$kind"; fi
   done
   rm -f "$OUT/${name}_seed_corpus.zip"
-  case $target in
-    query | witnessed) zip -q -j "$OUT/${name}_seed_corpus.zip" "$seeds"/cases/* ;;
-    case_reader) zip -q -j "$OUT/${name}_seed_corpus.zip" corpus/*/*.json ;;
-  esac
+  fuzz/target_seeds.sh "$build/fuzz" "$target" "$seeds/$target"
+  zip -q -j -r "$OUT/${name}_seed_corpus.zip" "$seeds/$target"
 done <"$build/fuzz-targets.txt"

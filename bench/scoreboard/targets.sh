@@ -23,7 +23,6 @@ mapfile -t faults < <(awk -F': ' '
   END { if (name) print name }' $here/faults.txt)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$build"/fuzz/witnessed_inputs encode "$scratch/seeds" corpus >/dev/null
 
 # The limit of the shell is of CPU time; whoever reaches it has noticed nothing.
 run_limited() {  # seconds, fault or nothing, program, arguments...
@@ -37,15 +36,13 @@ run_limited() {  # seconds, fault or nothing, program, arguments...
 run_target() {  # target, seconds, fault or nothing
   local options
   mapfile -t options < <(fuzz/target_options.sh "$1")
-  case $1 in
-    case_reader) options+=(corpus) ;;
-    query | witnessed) options+=("$scratch/seeds") ;;
-  esac
+  [ -d "$scratch/seeds/$1" ] || fuzz/target_seeds.sh "$build/fuzz" "$1" "$scratch/seeds/$1" >/dev/null
+  options+=("$scratch/seeds/$1")
   rm -rf "$scratch/corpus"
   mkdir "$scratch/corpus"
   status=0
   local TIMEFORMAT=%U
-  { time run_limited "$2" "${3-}" "$build/bench/scoreboard/planted_fuzz_$1" -seed="${SEED:-1}" -timeout=20 \
+  { time run_limited "$2" "${3-}" "$build/bench/scoreboard/planted_fuzz_$1" -seed="${SEED:-1}" \
     -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" "${options[@]}" \
     || status=$?; } 2>"$scratch/time"
   used=$(grep -x "[0-9.]*" "$scratch/time" | tail -n 1)  # the shell says there, too, what ended it

@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/script" "$work/bin" "$work/fuzz" "$work/build/libfuzzer/fuzz" "$work/build/release"
 cp "$source/script/fuzz" "$work/script/fuzz"
 printf 'one\nquery\n' >"$work/build/libfuzzer/fuzz-targets.txt"
-for stand_in in script/setup bin/cmake fuzz/target_options.sh build/libfuzzer/fuzz/witnessed_inputs; do
+for stand_in in script/setup bin/cmake fuzz/target_options.sh fuzz/target_seeds.sh; do
   printf '#!/bin/sh\n' >"$work/$stand_in"
 done
 # As libFuzzer: the last of its words but for the seeds is the corpus.
@@ -83,6 +83,7 @@ says 'no target "--runs"; there are: one query'
 ran_with() { grep -qF -- "$1" "$work/calls" || fail "not run with $1: $(cat "$work/calls")"; }
 fuzz 0 --seconds=5 --runs 2147483647 --jobs=2 one
 ran_with '-runs=2147483647 -max_total_time=5 '
+ran_with '/seeds-of-one'
 [ "$(wc -l <"$work/calls")" -eq 2 ] || fail 'not two processes'
 fuzz 0 --seconds 5 -- one
 ran_with '-runs=-1 -max_total_time=5 '
@@ -98,6 +99,7 @@ done
 for target in $targets query witnessed; do
   "$source/fuzz/target_options.sh" "$target" | grep -qx -e -len_control=0 ||
     fail "$target starves: its inputs grow slowly"
+  "$source/fuzz/target_options.sh" "$target" | grep -qx -e '-timeout=[13]0' || fail "$target may hang"
 done
 
 # What methods lost is put to triage, which alone takes away what it is done with.
