@@ -58,12 +58,15 @@ std::optional<std::string> input_of(const Suite& suite, const Property& claim, D
   return std::string(bytes.begin(), bytes.end());
 }
 
-std::optional<std::string> drawn_input(const Suite& suite, const Property& claim) {
-  for (std::uint64_t i = 0; i < kMostDraws; ++i) {
+/// One for each of many claims, and several for the one of a suite of bytes.
+std::vector<std::string> drawn_inputs(const Suite& suite, const Property& claim) {
+  const std::size_t wanted = suite.is_of_bytes ? 16 : 1;
+  std::vector<std::string> inputs;
+  for (std::uint64_t i = 0; i < kMostDraws && inputs.size() < wanted; ++i) {
     auto input = input_of(suite, claim, Draw::mostly_small(Random::keyed({1, i})));
-    if (input) return input;
+    if (input) inputs.push_back(*std::move(input));
   }
-  return std::nullopt;
+  return inputs;
 }
 
 /// Errors: of the corpus or the folder; a claim of which no draw is an input.
@@ -80,9 +83,9 @@ Result<std::string> encode(const std::string& name, const std::string& folder,
   };
   const std::vector<Property> claims = suite.thought_to_hold();
   for (const Property& claim : claims) {
-    const auto drawn = drawn_input(suite, claim);
-    if (!drawn) return input_error(claim.name, "discards all that is drawn");
-    CCDFUZZ_TRY_VOID(write(claim, *drawn));
+    const auto drawn = drawn_inputs(suite, claim);
+    if (drawn.empty()) return input_error(claim.name, "discards all that is drawn");
+    for (const std::string& input : drawn) CCDFUZZ_TRY_VOID(write(claim, input));
     for (const KeptInput& entry : kept) {
       const auto is_of_suite = property_named(entry.property, suite.claims);
       if (!is_of_suite || suite.is_of_bytes) continue;
