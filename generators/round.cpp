@@ -10,55 +10,19 @@
 
 namespace ccdfuzz {
 
-namespace {
-
-/// A patch that touches the plane z = 0 at the origin, from z ≤ 0 or from z ≥ 0.
-struct RoundSide {
-  Shape shape;
-  std::vector<Whole> points;
-  std::vector<double> weights;
-  Uv<Rational> at;  ///< the origin's parameters
-};
-
-/// The radius of a circle of radius 1 in a scene, 125 times kRadius.
-constexpr std::int64_t kLength = 625;
-
-/// A quarter of a circle of radius kRadius about the origin, from its first control point to its
-/// third. At p it is the first times (1 − p²)/(1 + p²) and the third times 2p/(1 + p²).
-struct QuarterCircle {
-  static constexpr std::int64_t kRadius = 5;
-  static constexpr std::array<double, 3> kWeights = {1, 1, 2};
-
-  std::array<std::array<std::int64_t, 2>, 3> points;
-  int at;  ///< 1/at is where it is (kRadius, 0)
-};
-constexpr std::array<QuarterCircle, 2> kQuarterCircles = {
-    {{{{{3, -4}, {7, -1}, {4, 3}}}, 2}, {{{{4, -3}, {7, 1}, {3, 4}}}, 3}}};
-
-/// What is revolved: points and weights of a curve in the half-plane of distance from the axis and
-/// height along it. At height 0 it has this distance, at the parameter `at`.
-struct Profile {
-  std::vector<std::array<std::int64_t, 2>> points;
-  std::vector<double> weights;
-  std::int64_t distance;
-  Rational at;
-  bool slants = false;  ///< at height 0 the way out is (4, −3), not (1, 0)
-};
-
-/// A circle at this distance from the axis: of a sphere at 0.
-Profile circle(std::int64_t distance, std::int64_t radius, Draw& draw) {
+Profile circular_profile(std::int64_t ring, std::int64_t radius, Draw& draw) {
   const QuarterCircle& quarter = draw.pick(kQuarterCircles);
-  Profile out{{}, {}, distance + QuarterCircle::kRadius * radius, Rational(1, quarter.at)};
+  Profile out{{}, {}, ring + QuarterCircle::kRadius * radius, Rational(1, quarter.at)};
+  out.ring = ring;
   for (std::size_t j = 0; j < 3; ++j) {
     const auto& [x, y] = quarter.points[j];
-    out.points.push_back({distance + radius * x, radius * y});
+    out.points.push_back({ring + radius * x, radius * y});
     out.weights.push_back(QuarterCircle::kWeights[j]);
   }
   return out;
 }
 
-/// A line from below height 0 to above: of a cylinder, or of a cone if it slants.
-Profile line(bool slants, Draw& draw) {
+Profile straight_profile(bool slants, Draw& draw) {
   const std::int64_t distance = 15 * draw.integer(1, 3);
   // A cone may end in its tip.
   const std::int64_t below = draw.integer(1, 5), above = draw.integer(1, 5);
@@ -71,22 +35,6 @@ Profile line(bool slants, Draw& draw) {
   return out;
 }
 
-Profile draw_profile(Draw& draw) {
-  switch (draw.below(4)) {
-    case 0:
-      return circle(0, draw.integer(1, 6), draw);
-    case 1: {
-      const std::int64_t radius = draw.integer(1, 4);
-      return circle(QuarterCircle::kRadius * draw.integer(1, 4), radius, draw);
-    }
-    case 2:
-      return line(false, draw);
-    default:
-      return line(true, draw);
-  }
-}
-
-/// The surface, at z ≤ 0. Its lengths are 25 times those of the profile.
 RoundSide revolve(const Profile& profile, const QuarterCircle& quarter) {
   RoundSide out;
   out.shape = Shape::tensor(2, static_cast<int>(profile.points.size()) - 1);
@@ -103,6 +51,26 @@ RoundSide revolve(const Profile& profile, const QuarterCircle& quarter) {
     }
   }
   return out;
+}
+
+namespace {
+
+/// The radius of a circle of radius 1 in a scene, 125 times kRadius.
+constexpr std::int64_t kLength = 625;
+
+Profile draw_profile(Draw& draw) {
+  switch (draw.below(4)) {
+    case 0:
+      return circular_profile(0, draw.integer(1, 6), draw);
+    case 1: {
+      const std::int64_t radius = draw.integer(1, 4);
+      return circular_profile(QuarterCircle::kRadius * draw.integer(1, 4), radius, draw);
+    }
+    case 2:
+      return straight_profile(false, draw);
+    default:
+      return straight_profile(true, draw);
+  }
 }
 
 RoundSide draw_revolved(Draw& draw) {

@@ -6,15 +6,82 @@
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
+#include "properties/closed_formula.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-Case draw_round(Draw& d, bool apart) {
-  const ContactClass contact = d.coin() ? ContactClass::kVF : ContactClass::kFF;
-  return draw_round_case(contact, apart, d);
+/// When patches first touch.
+struct FirstTouch {
+  /// It is not before the first time, and not after the second. nullopt: not in [0, t_max].
+  std::optional<std::array<Rational, 2>> times;
+  /// Whether a hit at this time is no earlier than its boxes explain.
+  std::function<bool(const Rational& toi)> may_hit;
+};
+
+constexpr SearchOptions kFine = {0x1p-14, 20'000, SearchOptions().max_bytes};
+
+/// Requires a method that takes the query.
+void claim_answer(Draw& d, const std::string& method, const Query& query, const FirstTouch& touch,
+                  const SearchOptions& options = kFine) {
+  const Answer answer = asked(d, method, query, options);
+  if (answer.verdict == Verdict::kUndecided) return;
+  const bool is_hit = answer.verdict == Verdict::kHit;
+  CLAIM(is_hit || !touch.times);
+  CLAIM(!is_hit || !touch.times || exact(*answer.toi) <= touch.times->back());
+  CLAIM(!is_hit || touch.may_hit(exact(*answer.toi)));
+}
+
+/// The methods that miss nothing, of which the slow ones are not always asked.
+void claim_answers(Draw& d, const Query& query, const FirstTouch& touch) {
+  show(d, "query", query);
+  claim_answer(d, "tdibm-c", query, touch);
+  SearchOptions few = kFine;
+  few.max_pops = 500;  // each takes about 0.1 ms
+  if (d.choose(3) == 0) claim_answer(d, "tdibm-rational", query, touch, few);
+  if (d.choose(3) != 0) return;
+  const Decision decision = decide(query, {.max_pops = 300, .max_tree_nodes = 500});
+  const bool touches = touch.times.has_value();
+  CLAIM(decision.truth.collides.value_or(touches) == touches);
+  if (!touches) return;
+  const auto by = decision.truth.contact_by();
+  CLAIM(!by || *by >= touch.times->front());
+  const auto& clear = decision.truth.clear_until;
+  CLAIM(!clear || *clear <= touch.times->back());
+}
+
+/// A formula with a query that ends before the first touch or after it, by 2^-40 of its time or
+/// more.
+ClosedFormula draw_formula(Draw& d, bool separation) {
+  ClosedFormula drawn = draw_closed_formula(separation, d);
+  if (!drawn.times) return drawn;
+  const bool before = d.coin();
+  const double share = std::ldexp(1.0, -d.integer(1, 40));
+  const double time = before ? round_down(drawn.times->front()) : round_up(drawn.times->back());
+  drawn.query.t_max = time * (before ? 1 - share : 1 + share);
+  if (before) drawn.times.reset();
+  return drawn;
+}
+
+void check_formula(Draw& d) {
+  const bool separation = d.choose(3) == 3;
+  const ClosedFormula drawn = draw_formula(d, separation);
+  const auto may_hit = [&](const Rational& toi) { return drawn.is_within(drawn.slack, toi); };
+  claim_answers(d, drawn.query, {drawn.times, may_hit});
+}
+
+/// A method that has no proof, coarsely: boxes are 64 times as large.
+std::function<void(Draw&)> keeps_formulas(const std::string& method) {
+  return [=](Draw& d) {
+    const ClosedFormula drawn = draw_formula(d, false);
+    const auto may_hit = [&](const Rational& toi) {
+      return drawn.is_within(64 * drawn.slack, toi);
+    };
+    claim_answer(d, method, drawn.query, {drawn.times, may_hit},
+                 {0x1p-8, 500, SearchOptions().max_bytes});
+  };
 }
 
 /// A box about the place where a point comes to the surface is found.
@@ -31,44 +98,45 @@ void check_place(const Case& drawn) {
   }
 }
 
-void check_first_contact(Draw& d) {
-  Case drawn = draw_round(d, d.choose(3) == 3);
-  Query& query = drawn.query;
-  const bool apart = query.separation > 0;
-  if (query.patches[1].shape.kind == ShapeKind::kPoint && !apart) check_place(drawn);
+void check_planted(Draw& d) {
+  const bool apart = d.choose(3) == 3;
+  const ContactClass contact = d.coin() ? ContactClass::kVF : ContactClass::kFF;
+  Case drawn = draw_round_case(contact, apart, d);
+  if (contact == ContactClass::kVF && !apart) check_place(drawn);
   const Rational& t = drawn.truth.witness->t;
-  const bool before = d.coin();
-  if (before) query.t_max = t.get_d() * (1 - std::ldexp(1.0, -d.integer(2, 6)));
-  show(d, "query", query);
-  SearchOptions fine{.precision = 0x1p-14, .max_pops = 20'000};
-  for (const std::string method : {"tdibm-c", "tdibm-rational"}) {
-    if (method == "tdibm-rational") fine.max_pops = 500;           // each takes it about 0.1 ms
-    if (method == "tdibm-rational" && d.choose(7) != 0) continue;  // slow
-    const Answer answer = asked(d, method, query, fine);
-    if (answer.verdict == Verdict::kUndecided) continue;
-    // At a distance boxes are told apart no finer than their size: a hit may be early by that.
-    CLAIM(!before || apart || answer.verdict == Verdict::kMiss);
-    if (before) continue;
-    CLAIM(answer.verdict == Verdict::kHit);
-    CLAIM(exact(*answer.toi) <= t);
-    CLAIM(apart || exact(*answer.toi) >= t - power_of_two(-10));
+  FirstTouch touch = {{{t, t}}, [&](const Rational& toi) {
+                        // At a distance boxes are told apart no finer than their size.
+                        return apart || toi >= t - power_of_two(-10);
+                      }};
+  if (d.coin()) {
+    drawn.query.t_max = t.get_d() * (1 - std::ldexp(1.0, -d.integer(2, 6)));
+    touch.times.reset();
   }
-  if (d.choose(3) != 0) return;
-  const Decision decision = decide(query, {.max_pops = 300, .max_tree_nodes = 500});
-  CLAIM(decision.truth.collides.value_or(!before) == !before);
-  const auto by = decision.truth.contact_by();
-  CLAIM(!by || *by >= t);
-  const auto& clear = decision.truth.clear_until;
-  CLAIM(before || !clear || *clear <= t);
+  claim_answers(d, drawn.query, touch);
 }
 
 }  // namespace
 
 std::vector<Property> round_claims() {
-  return {
-      {"weights.round", "Spheres, cylinders, cones and tori first touch when a closed formula says",
-       "generators/round.hpp", check_first_contact},
+  constexpr auto kFormula = "properties/closed_formula.hpp";
+  std::vector<Property> claims = {
+      {"weights.round",
+       "Spheres, cylinders, cones and tori first touch when and where a contact was planted, for "
+       "tdibm-c, tdibm-rational and the oracle",
+       "generators/round.hpp", check_planted},
+      {"weights.closed_formulas",
+       "Spheres, cylinders, tori, planes and points first touch when a closed formula of their "
+       "centres, axes, radii and velocities says, for tdibm-c, tdibm-rational and the oracle",
+       kFormula, check_formula},
   };
+  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "trad"}) {
+    claims.push_back({"weights.closed_formulas_" + method.substr(0, method.find(':')),
+                      fmt::format("No first touch that a closed formula gives is missed or late, "
+                                  "nor early by more than boxes explain, for {}",
+                                  method),
+                      kFormula, keeps_formulas(method), method == "tdibm" ? kFails : kHolds});
+  }
+  return claims;
 }
 
 }  // namespace ccdfuzz
