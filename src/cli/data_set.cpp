@@ -2,7 +2,7 @@
 
 namespace ccdfuzz {
 
-Result<void> MadeSet::add(MadeCases made) {
+void MadeSet::add(MadeCases made) {
   add_cost(costs, made.cost);
   const std::string tree = parse_hex_bytes(made.tree).value();
   for (Case& value : made.cases) {
@@ -12,9 +12,8 @@ Result<void> MadeSet::add(MadeCases made) {
       value.truth.proof = proof_word(*value.truth.clearance);
       ++trees;
     }
-    CCDFUZZ_TRY_VOID(writer.write(std::move(value), tree));
+    writer.write(std::move(value), tree);
   }
-  return {};
 }
 
 void MadeSet::show(Session& session, const std::string& of) const {

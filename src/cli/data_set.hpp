@@ -15,52 +15,49 @@
 namespace ccdfuzz {
 
 /// A data set on its way into its files: cases, and beside them their miss trees. The trees appear
-/// first, so that no case ever names one that is not there.
+/// first, so that no case ever names one that is not there. Throws BadInput: of a file.
 class DataSetWriter {
  public:
-  /// Standard output then takes cases alone (leave_stdout_to). Errors: as CaseWriter::open.
-  static Result<DataSetWriter> open(const std::string& path) {
-    CCDFUZZ_TRY(CaseWriter writer, CaseWriter::open(path));
+  /// Standard output then takes cases alone (leave_stdout_to).
+  explicit DataSetWriter(const std::string& path)
+      : path_(path),
+        cases_(need(CaseWriter::open(path))),
+        trees_(path),
+        is_streamed_(is_stream(path)) {
     for (const char* ending : {kTreesEnding, kCostsEnding}) {
-      if (!is_stream(path)) CCDFUZZ_TRY_VOID(refuse_read_only(path_beside(path, ending)));
+      if (!is_streamed_) need(refuse_read_only(path_beside(path, ending)));
     }
     leave_stdout_to(path);
-    return DataSetWriter(std::move(writer), path);
   }
 
   /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is
   /// filled in here. A stream has no place for it (drop_tree).
-  Result<void> write(Case value, const std::string& tree) {
+  void write(Case value, const std::string& tree) {
     if (is_streamed_ && drop_tree(value.truth)) ++left_out_;
-    if (MissTree* const of_tree = miss_tree(value.truth)) {
-      CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
-    }
-    return cases_.write(value);
+    if (MissTree* const of_tree = miss_tree(value.truth)) of_tree->tree = need(trees_.write(tree));
+    need(cases_.write(value));
   }
 
   /// Must come last; until then none of the files is there. costs: what the cases took to make.
   /// Without, or without trees, none stay that an older file had. Says on stderr what a stream left
   /// out.
-  Result<void> finish(const std::vector<GenerationCost>& costs = {}) {
-    CCDFUZZ_TRY_VOID(cases_.complete());
-    if (!costs.empty()) CCDFUZZ_TRY_VOID(write_costs(path_, costs));
-    CCDFUZZ_TRY_VOID(trees_.finish());
-    CCDFUZZ_TRY_VOID(cases_.finish());
+  void finish(const std::vector<GenerationCost>& costs = {}) {
+    need(cases_.complete());
+    if (!costs.empty()) need(write_costs(path_, costs));
+    need(trees_.finish());
+    need(cases_.finish());
     if (left_out_ > 0) {
       print_err(fmt::format(
           "ccdfuzz: {}: {} left out, which a stream cannot hold: use --output FILE\n", path_,
           counted(left_out_, "proof by a tree of separating axes is",
                   "proofs by trees of separating axes are")));
     }
-    if (is_streamed_) return {};
-    if (costs.empty()) CCDFUZZ_TRY_VOID(remove_beside(path_, kCostsEnding));
-    return trees_.has_any() ? Result<void>() : remove_beside(path_, kTreesEnding);
+    if (is_streamed_) return;
+    if (costs.empty()) need(remove_beside(path_, kCostsEnding));
+    if (!trees_.has_any()) need(remove_beside(path_, kTreesEnding));
   }
 
  private:
-  DataSetWriter(CaseWriter cases, const std::string& path)
-      : path_(path), cases_(std::move(cases)), trees_(path), is_streamed_(is_stream(path)) {}
-
   std::string path_;
   CaseWriter cases_;
   TreeWriter trees_;
@@ -92,7 +89,7 @@ struct MadeSet {
   std::vector<GenerationCost> costs = {};
   std::uint64_t cases = 0, trees = 0;
 
-  Result<void> add(MadeCases made);
+  void add(MadeCases made);
   /// Shows what the cases cost, and then how many there are. of: behind that number.
   void show(Session& session, const std::string& of = "") const;
 };

@@ -117,7 +117,7 @@ struct Target {
 Target open_target(const GenerateOptions& options, const RunHeader& header) {
   Target target;
   if (header.shard.is_whole()) {
-    target.set = MadeSet{options.path(), need(DataSetWriter::open(options.path()))};
+    target.set = MadeSet{options.path(), DataSetWriter(options.path())};
   }
   if (header.shard.is_whole() && !options.paper) return target;
   target.run.emplace(resumed_run(header, options.output, "constructions"));
@@ -125,7 +125,7 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
   if (!target.set) return target;
   RunLines done = need(target.run->done());
   while (const auto line = need(done.next())) {
-    need(target.set->add(need(from_json<MadeCases>(*line, done.where()))));
+    target.set->add(need(from_json<MadeCases>(*line, done.where())));
   }
   return target;
 }
@@ -140,7 +140,7 @@ std::uint64_t make_all(const Plan& plan, const Shard& shard, Target& target, Ses
       [&](MadeCases made) {
         const std::string note = made.cost.contact + " " + made.cost.kind;
         if (target.run) need(target.run->append(to_json(made)));
-        if (target.set) need(target.set->add(std::move(made)));
+        if (target.set) target.set->add(std::move(made));
         const auto done = static_cast<double>(target.before + ++made_count);
         session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
       },
@@ -181,7 +181,7 @@ int run_generate(const GenerateOptions& options, Session& session) {
                                 shard.of, options.output));
     return kDone;
   }
-  need(target.set->writer.finish(target.set->costs));
+  target.set->writer.finish(target.set->costs);
   if (target.run) need(target.run->remove());
   // What plain cases cost is a remark.
   if (!options.paper && !session.json) leave_stdout_to("/dev/stdout");

@@ -91,7 +91,7 @@ int run_import(const ImportOptions& options, Session& session) {
   if (!options.csv.truths.empty() && files.size() > 1) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
-  DataSetWriter writer = need(DataSetWriter::open(options.output));
+  DataSetWriter writer(options.output);
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
                        {"in the file", Align::kLeft},
@@ -108,12 +108,12 @@ int run_import(const ImportOptions& options, Session& session) {
                     {contact_text(query.collides)}};
           });
         }
-        need(writer.write(named.value, ""));  // no certificate of these is a tree
+        writer.write(named.value, "");  // no certificate of these is a tree
       });
   if (session.interrupted()) {
     return session.end_unwritten(counts.queries, "queries", options.output);
   }
-  need(writer.finish());
+  writer.finish();
   session.end_table(true);
   session.summary(counts.summary());
   return kDone;

@@ -44,10 +44,10 @@ int merge_made(const MergeOptions& options, Session& session) {
   if (run.header().run != "generate") {
     throw BadInput{{options.inputs[0], "is no share of a data set"}};
   }
-  MadeSet set{options.output, need(DataSetWriter::open(options.output))};
-  for_each_record<MadeCases>(
-      run, [&](std::string_view, MadeCases made) { need(set.add(std::move(made))); });
-  need(set.writer.finish(set.costs));
+  MadeSet set{options.output, DataSetWriter(options.output)};
+  for_each_record<MadeCases>(run,
+                             [&](std::string_view, MadeCases made) { set.add(std::move(made)); });
+  set.writer.finish(set.costs);
   set.show(session, fmt::format(" of {} files", options.inputs.size()));
   return kDone;
 }

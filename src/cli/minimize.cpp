@@ -45,9 +45,9 @@ void write_minimised(const MinimizeOptions& options, Case value, Session& sessio
   const std::string& path = options.output;
   if (!path.empty() && !is_stream(path)) {
     const std::string tree = need(tree_of(value.truth, trees_path(options.file)));
-    DataSetWriter writer = need(DataSetWriter::open(path));
-    need(writer.write(std::move(value), tree));
-    return need(writer.finish());
+    DataSetWriter writer(path);
+    writer.write(std::move(value), tree);
+    return writer.finish();
   }
   if (drop_tree(value.truth)) {
     session.remark(

@@ -1,13 +1,14 @@
 #include "cli/output.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "base/text.hpp"
-#include "cli/terminal.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -16,6 +17,13 @@ namespace {
 
 int first_errno = 0;
 bool stdout_has_cases = false;
+
+/// Standard output is a terminal, NO_COLOR is unset or empty, and TERM is not "dumb".
+bool wants_colour() {
+  const char *const term = std::getenv("TERM"), *const refused = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) == 1 && !(refused && *refused) &&
+         !(term && std::string_view(term) == "dumb");
+}
 
 void write_out(const std::string& text) {
   if (stdout_has_cases) {
@@ -39,11 +47,11 @@ void print_out(const std::string& text) {
 }
 
 void print_table(const Table& table) {
-  write_out(table.to_text(wants_colour(stdout)));
+  write_out(table.to_text(wants_colour()));
 }
 
 void print_rows(Table& table, size_t least) {
-  write_out(table.take_text(wants_colour(stdout), least));
+  write_out(table.take_text(wants_colour(), least));
 }
 
 void print_err(const std::string& text) {

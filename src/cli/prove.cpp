@@ -66,7 +66,7 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
 }
 
 int run_prove(const ProveOptions& options, Session& session) {
-  DataSetWriter destination = need(DataSetWriter::open(options.output));
+  DataSetWriter destination(options.output);
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t cases = 0, refuted = 0;
@@ -80,13 +80,13 @@ int run_prove(const ProveOptions& options, Session& session) {
         if (session.json || completed.refuted || !completed.value.truth.collides) {
           show(named.id, completed, session);
         }
-        need(destination.write(std::move(completed.value), completed.tree));
+        destination.write(std::move(completed.value), completed.tree);
       });
   session.end_table(true);
   if (session.interrupted()) {
     return session.end_unwritten(cases, "cases", options.output);
   }
-  need(destination.finish(need(read_costs(options.files))));
+  destination.finish(need(read_costs(options.files)));
   std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),
                                     counted(counts["hit"], "hit", "hits"),
                                     counted(counts["miss"], "miss", "misses"), counts["undecided"]);

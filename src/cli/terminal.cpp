@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 
 #include "base/text.hpp"
 
@@ -46,12 +46,6 @@ std::string rate_text(std::uint64_t done, std::string_view unit, double elapsed)
 }
 
 }  // namespace
-
-bool wants_colour(std::FILE* stream) {
-  const char *const term = std::getenv("TERM"), *const refused = std::getenv("NO_COLOR");
-  return isatty(fileno(stream)) == 1 && !(refused && *refused) &&
-         !(term && std::string_view(term) == "dumb");
-}
 
 Progress::Progress()
     : on_terminal_(isatty(STDERR_FILENO) == 1),

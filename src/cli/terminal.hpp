@@ -2,17 +2,12 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace ccdfuzz {
-
-/// True iff colour is wanted on the stream: it is a terminal, NO_COLOR is unset or empty, and TERM
-/// is not "dumb".
-bool wants_colour(std::FILE* stream);
 
 /// One line on stderr that is rewritten in place, at most ten times a second. If stderr is no
 /// terminal, a line after 20 s and then each time that twice as long has passed, or ten minutes.
