@@ -2,8 +2,9 @@
 
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "generators/finalize.hpp"
+#include "generators/contact.hpp"
 #include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
@@ -27,36 +28,26 @@ Shape any_surface(Draw& draw) {
 
 Case planted_case(ContactClass contact, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
-  Scene scene;
-  scene.contact.t = Dyadic(draw.integer(1, 8), -3);
-  scene.t_max = 1;
-  Witness witness;
-  witness.t = scene.contact.t.rational();
+  Contact q;
+  q.t = Dyadic(draw.integer(1, 8), -3);
   const Vec3<Dyadic> point = draw.vector(kPlantedBits, kPlantedUnit);
   for (size_t s = 0; s < 2; ++s) {
-    const Shape shape = any_surface(draw);
-    const Uv<Dyadic> uv = point_on(features[s], shape, kParameterBits, draw);
-    witness.uv[s] = {uv[0].rational(), uv[1].rational()};
-    MovingPatch<Dyadic>& patch = scene.patches[s];
-    patch.shape = shape;
-    for (int i = 0; i < shape.control_count(); ++i) {
-      patch.positions.push_back(draw.vector(kPlantedBits, kPlantedUnit));
-      patch.velocities.push_back(draw.vector(kPlantedBits, kPlantedUnit));
+    MovingPatch<double>& patch = q.query.patches[s];
+    patch.shape = any_surface(draw);
+    q.uv[s] = point_on(features[s], patch.shape, kParameterBits, draw);
+    Points<Dyadic> positions, velocities;
+    for (int i = 0; i < patch.shape.control_count(); ++i) {
+      positions.push_back(draw.vector(kPlantedBits, kPlantedUnit));
+      velocities.push_back(draw.vector(kPlantedBits, kPlantedUnit));
     }
     // What stands in positions is where they are at t*.
-    const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(shape, patch.positions, uv);
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] += to_point - patch.velocities[i] * scene.contact.t;
-    }
+    const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(patch.shape, positions, q.uv[s]);
+    for (size_t i = 0; i < positions.size(); ++i) positions[i] += to_point - velocities[i] * q.t;
+    patch.positions = to_doubles(positions).value();
+    patch.velocities = to_doubles(velocities).value();
   }
-  const std::optional<Query> query = to_query(scene);
-  CCDFUZZ_VERIFY(query && check_witness(*query, witness));
-  Case out;
-  out.query = *query;
-  out.truth.collides = true;
-  out.truth.witness = witness;
-  out.origin.contact = name_of(contact);
-  out.origin.kind = name_of(CaseKind::kRP);
+  CCDFUZZ_VERIFY(check_witness(q.query, q.witness()));
+  Case out = case_of(q);
   out.origin.generator = "planted";
   return out;
 }

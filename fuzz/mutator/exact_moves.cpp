@@ -5,7 +5,6 @@
 #include "base/double_parts.hpp"
 #include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
-#include "fuzz/mutator/reshape.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
@@ -88,27 +87,6 @@ bool change_coordinates(Contact& q, Draw& draw) {
   q.query = *changed;
   q.t = q.t.scaled(change.time);
   return true;
-}
-
-bool reparametrise(Contact& q, Draw& draw) {
-  if (draw.below(4) == 0) {
-    std::swap(q.query.patches[0], q.query.patches[1]);
-    std::swap(q.uv[0], q.uv[1]);
-    return true;
-  }
-  const size_t side = draw.below(2);
-  if (!q.query.patches[side].trim.empty()) return false;
-  reparametrise_patch(q, side, draw.choose(~std::uint64_t{0}));
-  return true;
-}
-
-bool elevate_degree(Contact& q, Draw& draw) {
-  const size_t side = draw.below(2);
-  return elevate_patch(q, side, draw.coin());
-}
-
-bool restrict_to_child(Contact& q, Draw& draw) {
-  return restrict_patch(q, draw.below(2));
 }
 
 bool splice(Contact& q, const Contact& other, Draw& draw) {

@@ -33,7 +33,7 @@ bool change_coordinates(Contact& q, Draw& draw);
 /// The same patches by other parameters: reversed, rotated, transposed, exchanged.
 bool reparametrise(Contact& q, Draw& draw);
 
-/// A patch with one degree more.
+/// A patch with one degree more; of a tensor patch in u or v. A control point is divided by that.
 bool elevate_degree(Contact& q, Draw& draw);
 
 /// A patch's child cell with the contact in place of it.

@@ -1,9 +1,8 @@
-#include "fuzz/mutator/reshape.hpp"
-
 #include "bezier/cell.hpp"
 #include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "numeric/small_dyadic.hpp"
 
 namespace ccdfuzz {
@@ -111,8 +110,7 @@ bool replace_points(Points<double>& points, const Make& make) {
   return true;
 }
 
-}  // namespace
-
+/// Patch `side` by parameters in another order; the place of the contact with it. way: any number.
 void reparametrise_patch(Contact& q, size_t side, std::uint64_t way) {
   MovingPatch<double>& patch = q.query.patches[side];
   Uv<Dyadic>& uv = q.uv[side];
@@ -156,8 +154,23 @@ void reparametrise_patch(Contact& q, size_t side, std::uint64_t way) {
   }
 }
 
-bool elevate_patch(Contact& q, size_t side, bool in_v) {
-  MovingPatch<double>& patch = q.query.patches[side];
+}  // namespace
+
+bool reparametrise(Contact& q, Draw& draw) {
+  if (draw.below(4) == 0) {
+    std::swap(q.query.patches[0], q.query.patches[1]);
+    std::swap(q.uv[0], q.uv[1]);
+    return true;
+  }
+  const size_t side = draw.below(2);
+  if (!q.query.patches[side].trim.empty()) return false;
+  reparametrise_patch(q, side, draw.choose(~std::uint64_t{0}));
+  return true;
+}
+
+bool elevate_degree(Contact& q, Draw& draw) {
+  MovingPatch<double>& patch = q.query.patches[draw.below(2)];
+  const bool in_v = draw.coin();
   const Shape higher = elevated(patch.shape, in_v);
   if (!higher.valid() || !patch.weights.empty()) return false;  // quotients would be rounded
   const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
@@ -168,7 +181,8 @@ bool elevate_patch(Contact& q, size_t side, bool in_v) {
   return true;
 }
 
-bool restrict_patch(Contact& q, size_t side) {
+bool restrict_to_child(Contact& q, Draw& draw) {
+  const size_t side = draw.below(2);
   MovingPatch<double>& patch = q.query.patches[side];
   const Shape shape = patch.shape;
   if (!patch.weights.empty() || !patch.trim.empty()) return false;  // numbers would be rounded
