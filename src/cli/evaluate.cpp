@@ -11,6 +11,7 @@
 #include "cli/session.hpp"
 #include "eval/tables.hpp"
 #include "files/case_json.hpp"
+#include "io/csv_writer.hpp"
 #include "io/hash_name.hpp"
 #include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
@@ -27,6 +28,7 @@ struct EvaluateArguments {
   SearchFlags search;
   std::string shard;
   std::string folder;
+  std::string csv;
   std::string page;  ///< folder
   bool by_class = false;
 };
@@ -126,6 +128,8 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     }
   }
   if (!arguments.page.empty()) need(make_writable_folder(arguments.page));
+  std::optional<OutputFile> csv;
+  if (!arguments.csv.empty()) csv.emplace(need(OutputFile::create(arguments.csv)));
   const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;
@@ -154,6 +158,10 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->rename(answers));
+  }
+  if (csv) {
+    need(csv->write(to_csv(by_kinds(rows))));
+    need(csv->commit());
   }
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_row(row);
@@ -196,6 +204,8 @@ void add_evaluate(CommandLine& line) {
   command.text("-o,--output FOLDER", options->folder,
                "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
                "(tables.md), which `report` shows; killed, the same command goes on where it was");
+  command.text("--csv FILE", options->csv,
+               "Also a CSV file with a line for each class, kinds and method");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of tables, figures and watchable failures");
   command.flag("--by-class", options->by_class,

@@ -96,6 +96,7 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
     group = breaks;
     std::string text = std::filesystem::path(find.path).filename().string();
     if (find.depth > 0) text += fmt::format(", {:.2g} deep", find.depth);
+    if (find.late_by > 0) text += fmt::format(", late by {:.2g}", find.late_by);
     const std::vector<std::string>& classes = others.at(alike(find));
     if (!classes.empty()) {
       text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
@@ -166,6 +167,7 @@ void print_report_json(const HuntReport& report) {
       Failure::fields(row, find.failure);
       row("breaks_claim", breaks_claim(find.failure));
       row.optional("depth", find.depth);
+      row.optional("late_by", find.late_by);
       row("kind", find.value.origin.kind);
       row("generator", find.value.origin.generator);
       row("expect", find.value.expect);

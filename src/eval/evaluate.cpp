@@ -32,6 +32,7 @@ GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
   given.verdict = answer.verdict;
   if (answer.has_toi()) given.toi = answer.toi;
   given.outcome = judged.outcome;
+  given.late_by = judged.late_by;
   given.cost = answer;
   return given;
 }

@@ -42,7 +42,7 @@ void Rows::add(const EvaluatedCase& evaluated) {
     }
     const RowKey key{evaluated.contact, evaluated.kind, given.factor, given.method};
     rows_.try_emplace(order_of(key), Row{key, {}})
-        .first->second.tally.add(given.cost, given.outcome, evaluated.collides);
+        .first->second.tally.add(given.cost, given.outcome, evaluated.collides, given.late_by);
   }
 }
 

@@ -21,6 +21,7 @@ struct GivenAnswer {
   Verdict verdict = Verdict::kUndecided;
   std::optional<double> toi;  ///< absent after a miss
   Outcome outcome = Outcome::kUnknown;
+  double late_by = 0;  ///< as of Judged
   Cost cost;
 
   static void fields(auto& archive, auto& answer) {
@@ -30,6 +31,7 @@ struct GivenAnswer {
     archive("verdict", answer.verdict);
     archive("toi", answer.toi);
     archive("outcome", answer.outcome);
+    archive.optional("late_by", answer.late_by);
     Cost::fields(archive, answer.cost);
   }
 

@@ -100,6 +100,16 @@ Column<Row> memory_column(const char* title, double (LogHistogram::*of)() const)
                               [of](const Row& row) { return size_text((row.tally.bytes.*of)()); });
 }
 
+/// Appends a column of how late the latest hits are, if any are late.
+void add_late_column(std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
+  const auto late_by = [](const Row& row) { return row.tally.late_by; };
+  if (std::ranges::none_of(rows, [&](const Row& row) { return late_by(row) > 0; })) return;
+  columns.push_back({{"late by ≤"}, [=](const Row& row) {
+                       return TableCell{late_by(row) > 0 ? fmt::format("{:.2g}", late_by(row))
+                                                         : "-"};
+                     }});
+}
+
 }  // namespace
 
 Table methods_table(const std::vector<Row>& rows) {
@@ -109,6 +119,7 @@ Table methods_table(const std::vector<Row>& rows) {
   add_outcomes(columns,
                {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive, Outcome::kUndecided});
   add_outcomes(columns, met_in(rows, {Outcome::kUnknown, Outcome::kError}));
+  add_late_column(columns, rows);
   add_refused_column(columns, rows);
   columns.insert(
       columns.end(),
@@ -130,6 +141,7 @@ Table performance_table(const std::vector<Row>& rows) {
        memory_column("memory", &LogHistogram::mean), memory_column("p99 mem", &LogHistogram::p99)});
   add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive,
                          Outcome::kUndecided, Outcome::kUnknown, Outcome::kError});
+  add_late_column(columns, rows);
   add_refused_column(columns, rows);
   return table_of(rows, columns, &are_beside);
 }

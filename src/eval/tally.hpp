@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,7 @@ struct Tally {
   std::uint64_t positives = 0;  ///< those of them whose truth is a contact
   std::uint64_t negatives = 0;  ///< those of them whose truth is absence
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
+  double late_by = 0;  ///< of the late hits, the most
   std::uint64_t pops = 0;
   LogHistogram seconds, bytes;  ///< each answer's
 
@@ -29,6 +31,7 @@ struct Tally {
     for (const Outcome o : kAllOutcomes) {
       archive(name_of(o), tally.by_outcome[static_cast<size_t>(o)]);
     }
+    archive.optional("late_by", tally.late_by);
   }
 
   /// What the answers cost. It can be written, not read.
@@ -44,11 +47,13 @@ struct Tally {
     archive("p99_seconds", tally.seconds.p99());
   }
 
-  void add(const Cost& cost, Outcome outcome, std::optional<bool> collides) {
+  /// The last is as of Judged.
+  void add(const Cost& cost, Outcome outcome, std::optional<bool> collides, double late = 0) {
     ++by_outcome[static_cast<size_t>(outcome)];
     if (outcome == Outcome::kNotAsked) return;
     ++n;
     if (collides) ++(*collides ? positives : negatives);
+    late_by = std::max(late_by, late);
     pops += cost.pops;
     seconds.add(cost.seconds);
     bytes.add(static_cast<double>(cost.bytes));
@@ -58,6 +63,7 @@ struct Tally {
     positives += other.positives;
     negatives += other.negatives;
     for (size_t i = 0; i < by_outcome.size(); ++i) by_outcome[i] += other.by_outcome[i];
+    late_by = std::max(late_by, other.late_by);
     pops += other.pops;
     seconds.merge(other.seconds);
     bytes.merge(other.bytes);

@@ -203,7 +203,9 @@ Result<void> Intake::finish(const Finish& how) {
         }
         const CheckedCase known = checked_or_unknown(find.value);
         if (is_false_negative(failure.outcome)) {
-          find.depth = depth_of(known, asker.ask(failure.who, known)).value_or(0);
+          const Judged judged = asker.ask(failure.who, known);
+          find.depth = depth_of(known, judged).value_or(0);
+          find.late_by = judged.late_by;
         }
         const Expected shown{failure.outcome, failure.cause};
         find.differs =

@@ -177,7 +177,7 @@ class Hunt {
       const double used = clock_of(method) - begin;
       done.cpu_seconds += used;
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
-      done.tally.add(judged.answer, judged.outcome, asked.collides());
+      done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
       note_failure(cell.method, asked.value(), judged, asker, done);
     }
     if (turn.draw < founders_of(turn.draw + 1)) {
