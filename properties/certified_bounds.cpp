@@ -268,6 +268,27 @@ void check_derived_bound(Draw& d) {
   CLAIM(separation > 0 || bound.for_axis(axis) == bound.of_rounding(axis));
 }
 
+double draw_fraction(Draw& d) {
+  return d.dyadic(53, -53).to_double_exactly().value();
+}
+
+/// Law B: what is dropped lies where the chord is below zero.
+void check_chord_root(Draw& d) {
+  const double t0 = show(d, "t0", std::abs(draw_fraction(d)));
+  const double t1 = show(d, "t1", std::abs(draw_fraction(d)));
+  suppose(t0 != t1);
+  const int least = -1070;
+  const int e0 = d.integer(least, 0);
+  const double h0 = show(d, "h0", -std::ldexp(1 + std::abs(draw_fraction(d)), e0 - 1));
+  const int e1 = d.coin() ? e0 : d.integer(least, 0);
+  const double h1 = show(d, "h1", std::ldexp(std::abs(draw_fraction(d)), e1));
+  const double root = show(d, "root", certified::chord_root(t0, h0, t1, h1));
+  const Rational exact_root =
+      exact(t0) - (exact(t1) - exact(t0)) * exact(h0) / (exact(h1) - exact(h0));
+  CLAIM(t0 < t1 ? exact(root) <= exact_root : exact(root) >= exact_root);
+  CLAIM(t0 < t1 ? root >= t0 : root <= t0);
+}
+
 }  // namespace
 
 std::vector<Property> certified_bounds_claims() {
@@ -283,6 +304,8 @@ std::vector<Property> certified_bounds_claims() {
        "src/ccd/certified/DERIVATION.md, 2 and 9", check_cells},
       {"tdibm-c.error_bound", "The error bound E is at least the derived one",
        "src/ccd/certified/DERIVATION.md, 3", check_derived_bound},
+      {"tdibm-c.chord_root", "The computed root of a chord is never past the exact one",
+       "src/ccd/certified/DERIVATION.md, 4", check_chord_root},
   };
 }
 

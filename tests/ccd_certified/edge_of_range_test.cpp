@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ccd/certified/tdibm_c.hpp"
+#include "numeric/rational.hpp"
 
 namespace ccdfuzz {
 namespace {
