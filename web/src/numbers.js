@@ -16,6 +16,8 @@ export function numbersTable({ known, centre, local, tMax, method, answer, loss 
     add('contact point', h('code', local.origin.map((x) => String(x)).join(', ')));
     if (local.apart) add('', known.separation ? `${noun} 1; ${noun} 2 keeps a distance` : `the ${known.truth.witness.uv ? 'two patches differ' : 'hulls are nearer than their radii'} there`);
   }
+  const clear = known.truth?.certificate?.clear;
+  if (clear) add('no contact before', h('code', known.truth.clear_until), `, by certificate ${clear.kind}`);
   known.patches.forEach(({ radius }, s) => radius && add(`radius of body ${s + 1}`, h('code', hexFloat(real(radius))), ` = ${real(radius)}`));
   if (known.separation) add('separation', h('code', hexFloat(real(known.separation))), ` = ${real(known.separation)}`);
   add('t_max', h('code', hexFloat(tMax)), ` = ${tMax}`);

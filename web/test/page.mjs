@@ -129,6 +129,21 @@ const trimmed = (known) => {
 };
 const kVelocities = [{ velocities: [[0, 0, 0], [0, 0, 0], [0, 0, 0]] }, { velocities: [[2, 0, -2]] }];
 const kEnds = [{ ends: [[0, 0, 0], [0, 4, 0], [4, 0, 0]] }, { ends: [[2, 1, -1]] }];
+// A trimmed piece of a sphere of radius 25, which meets a piece of a torus at t = 1/2. `prove` proves that it does not before.
+const kQuarter = [[1, 0], [1, 1], [0, 1]];
+const revolved = (profile, place) => profile.flatMap(([r, z]) => kQuarter.map(([x, y]) => place([r * x, r * y, z])));
+const kRevolved = { shape: 'tensor', degree: [2, 2], weights: [1, 1, 2, 1, 1, 2, 2, 2, 4] };
+const still = (velocity) => Array(9).fill(velocity);
+mkdirSync(data('sphere-entry'));
+writeFileSync(data('sphere.json'), JSON.stringify({
+  format: 'ccdfuzz-case', version: 2, t_max: 1,
+  patches: [
+    { ...kRevolved, positions: revolved(kQuarter, ([x, y, z]) => [88 - 25 * x, 66 - 25 * y, 45 - 25 * z]), velocities: still([-32, -24, -30]), trim: [[[0.125, 0.125], [0.875, 0.25], [0.25, 0.875]]] },
+    { ...kRevolved, positions: revolved([[75, 0], [75, 25], [50, 25]], (p) => p), velocities: still([0, 0, 0]) }],
+  truth: { collides: true, witness: { t: '1/2', uv: [['1/3', '1/3'], ['1/3', '1/3']] } }, origin: {}, expect: { 'tdibm-c': 'correct' },
+}));
+run('prove', data('sphere.json'), '-o', data('sphere-entry/sphere.json'));
+run('report', data('sphere-entry'), '-o', data('sphere'));
 craft('by-velocities', falling(kVelocities), { outcome: 'late', toi: 0.75 });
 craft('by-ends', falling(kEnds), { outcome: 'late', toi: 0.75 });
 craft('no-contact', { ...falling(kVelocities), truth: { collides: false } }, { outcome: 'false_positive', toi: 0.75 });
@@ -351,7 +366,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
   const placesOf = (rows, patch, when) => rows.filter(([p, w]) => p === patch && w === when).flatMap((row) => [row.slice(3, 5), row.slice(5)].map((p) => p.map(Number)));
   const heights = (places) => [Math.min(...places.map(([, y]) => y)), Math.max(...places.map(([, y]) => y))];
   const near = (a, b, by = 1e-9) => Math.abs(a - b) <= by;
-  for (const name of ['cubes', 'balls', 'rational', 'rational-by-ends', 'trimmed']) {
+  for (const name of ['cubes', 'balls', 'rational', 'rational-by-ends', 'trimmed', 'sphere']) {
     const { tab, errors, close } = await open(name, {}, '#cases');
     await waitForCase(tab);
     claim(`${name}: it opens at t*`, (await tab.innerText('.time-text')).startsWith('t = t* = '), await tab.innerText('.time-text'));
@@ -395,6 +410,14 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
       const widest = Math.max(...cut.slice(1).map((x, i) => x - cut[i]));
       claim('a trimmed patch is not drawn in its hole', widest > 1 && cut.some((x) => Math.abs(x) < 0.05), widest, cut);
       claim('a trimmed patch ends at its trim', cut.at(-1) - cut[0] < 6.5 && cut.at(-1) - cut[0] > 5, cut[0], cut.at(-1));
+    }
+    if (name === 'sphere') {
+      const numbers = await tab.innerText('.numbers');
+      claim('a trimmed sphere meets a torus in a point', /contact point\s+56, 42, 15/.test(numbers), numbers);
+      claim('that it does not before is proven', /no contact before\s+1\/2, by certificate P/.test(numbers), numbers);
+      claim('its title says what they are', (await tab.innerText('.case-title')).includes('trimmed rational tensor 2×2 against rational tensor 2×2'));
+      const off = placesOf(rows, '2', 'shown').length;
+      claim('both are in the slice', off > 40 && placesOf(rows, '1', 'shown').length > 20, off);
     }
     claim(`${name}: levels are those of patches`, levels === !['cubes', 'balls'].includes(name), levels);
     await close();
