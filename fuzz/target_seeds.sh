@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the seeds of a fuzz target into a folder. PROGRAMS is where witnessed_inputs and claim_inputs
-# are built.
+# are built. Both paths are absolute, or of the project's folder.
 #   fuzz/target_seeds.sh PROGRAMS TARGET FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."

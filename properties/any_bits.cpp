@@ -61,7 +61,7 @@ Question draw_valid(Draw& choices) {
     drawn.query.t_max = choices.integer(0, 8) / 4.0;
   }
   drawn.options.precision = std::ldexp(1.0, -static_cast<int>(choices.choose(60)));
-  drawn.options.max_pops = choices.choose(4);
+  drawn.options.max_pops = choices.choose(60);
   drawn.options.max_bytes = choices.choose(1 << 20);
   return drawn;
 }

@@ -74,6 +74,18 @@ LinePairs draw_line_pairs(Draw& choices) {
   return pairs;
 }
 
+LinePairs draw_touching_pairs(Draw& choices) {
+  LinePairs pairs = draw_line_pairs(choices);
+  if (choices.coin()) return pairs;
+  pairs.g.clear();
+  for (const Line<double>& line : pairs.f) {
+    const double slope = choices.nudged(-line.slope, kUlps);
+    const double intercept = choices.nudged(-line.intercept, kUlps);
+    pairs.g.push_back({slope, intercept});
+  }
+  return pairs;
+}
+
 std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
                                       const std::vector<Line<double>>& from) {
   if (from.size() < count) throw Discarded();

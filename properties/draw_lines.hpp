@@ -24,6 +24,10 @@ struct LinePairs {
 /// of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
 LinePairs draw_line_pairs(Draw& choices);
 
+/// The same, or half of the time g is f itself up to a few floats. Then max f + max g is about 0
+/// wherever all lines of f meet, and rises and falls by next to nothing there.
+LinePairs draw_touching_pairs(Draw& choices);
+
 /// `count` of the lines by rising slope, in turn from a drawn place; discarded if there are fewer.
 std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
                                       const std::vector<Line<double>>& from);

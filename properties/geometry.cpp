@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "bezier/bernstein.hpp"
+#include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/draw_patch.hpp"
@@ -11,7 +12,7 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr int kGeometryUvBits = 4;
+constexpr int kGeometryDegree = 4, kGeometryUvBits = 4;
 
 struct DrawnPatch {
   Shape shape;
@@ -19,7 +20,7 @@ struct DrawnPatch {
   Uv<Dyadic> uv;
 };
 
-DrawnPatch draw_patch(Draw& d, int max_degree) {
+DrawnPatch draw_patch(Draw& d, int max_degree = kGeometryDegree) {
   DrawnPatch drawn;
   drawn.shape = draw_shape(d, max_degree);
   drawn.uv = draw_uv(d, drawn.shape, kGeometryUvBits);
@@ -44,6 +45,18 @@ void check_bernstein_sum(Draw& d) {
   }
   CLAIM(total == Dyadic(1));
   CLAIM(sum == evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv));
+}
+
+void check_elevation(Draw& d) {
+  const DrawnPatch drawn = draw_patch(d);
+  const Vec3<Dyadic> here = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
+  for (const bool in_v : {false, true}) {
+    if (in_v && drawn.shape.kind != ShapeKind::kTensor) break;
+    const Elevated<Dyadic> higher = elevated(drawn.shape, drawn.points, in_v);
+    const Vec3<Dyadic> there = evaluate<Dyadic>(higher.shape, higher.points, drawn.uv);
+    show(d, "elevated to", higher.shape);
+    CLAIM(there == here * Dyadic(higher.times));
+  }
 }
 
 void check_children_cover(Draw& d) {
@@ -77,6 +90,8 @@ std::vector<Property> geometry_claims() {
       {"patch.bernstein_sum",
        "A patch is the sum of its control points by Bernstein weights, which are >= 0 and sum to 1",
        "Eq. 2; Section 4.6, Assumptions", check_bernstein_sum},
+      {"patch.elevation", "A patch of one degree higher is the same patch", "Eq. 2",
+       check_elevation},
       {"cell.children_cover", "The children of a cell cover it, and nothing else", "Appendix A (a)",
        check_children_cover},
       {"sub_patch.is_the_restriction", "The sub-patch over a cell equals the patch there, exactly",

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/fp_guard.hpp"
 #include "bezier/exact_patch.hpp"
 #include "ccd/nearest_points.hpp"
-#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -19,10 +19,26 @@ double root_below(const Rational& x) {
   return round_down(below);
 }
 
+struct Extent {
+  Rational min, max;
+};
+
+/// Of the velocities of a patch, along an axis.
+Extent extent(const MovingPatch<Rational>& patch, int axis) {
+  Extent all{patch.velocities[0][axis], patch.velocities[0][axis]};
+  for (const Vec3<Rational>& v : patch.velocities) {
+    all.min = std::min(all.min, v[axis]);
+    all.max = std::max(all.max, v[axis]);
+  }
+  return all;
+}
+
 }  // namespace
 
 Answer past_start(const Query& query, Answer answer) {
-  if (answer.verdict != Verdict::kHit || answer.toi != 0 || is_of_bodies(query)) return answer;
+  const FpGuard guard;
+  if (query.separation == 0 || is_of_bodies(query)) return answer;
+  if (answer.verdict != Verdict::kHit || answer.toi != 0) return answer;
   const std::array<MovingPatch<Rational>, 2> patches = {exact_patch<Rational>(query.patches[0]),
                                                         exact_patch<Rational>(query.patches[1])};
   const Rational apart = NearestPoints()(patches[0].positions, patches[1].positions).squared;
@@ -30,15 +46,20 @@ Answer past_start(const Query& query, Answer answer) {
   const Rational more = apart - d * d;
   if (more <= 0) return answer;
   Rational fastest = 0;
-  for (const Vec3<Rational>& v : patches[0].velocities) {
-    for (const Vec3<Rational>& w : patches[1].velocities) {
-      const Vec3<Rational> against = w - v;
-      fastest = std::max(fastest, Rational(dot(against, against)));
-    }
+  for (int k = 0; k < 3; ++k) {
+    const auto [first, second] = std::array{extent(patches[0], k), extent(patches[1], k)};
+    const Rational along =
+        std::max(Rational(second.max - first.min), Rational(first.max - second.min));
+    fastest += along * along;
   }
+  // The squares of the bound and of t_max.
+  const Rational t_max = exact(query.t_max);
   const bool moves = fastest > 0;
-  if (moves) answer.toi = root_below(more * more / (4 * apart * fastest));
-  if (moves && *answer.toi <= query.t_max) return answer;
+  const Rational bound = moves ? Rational(more * more / (4 * apart * fastest)) : Rational(0);
+  if (moves && bound <= t_max * t_max) {
+    answer.toi = root_below(bound);
+    return answer;
+  }
   Answer miss = Answer::miss();
   static_cast<Cost&>(miss) = answer;
   miss.work = answer.work;

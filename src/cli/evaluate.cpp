@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
@@ -129,7 +130,15 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   }
   if (!arguments.page.empty()) need(make_writable_folder(arguments.page));
   std::optional<OutputFile> csv;
-  if (!arguments.csv.empty()) csv.emplace(need(OutputFile::create(arguments.csv)));
+  if (!arguments.csv.empty()) {
+    leave_stdout_to(arguments.csv);
+    for (const std::string& file : files) {
+      std::error_code none;
+      if (!std::filesystem::equivalent(file, arguments.csv, none)) continue;
+      throw BadInput{{"--csv", fmt::format("{} is one of the case files", arguments.csv)}};
+    }
+    csv.emplace(need(OutputFile::create(arguments.csv)));
+  }
   const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;
@@ -159,7 +168,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->rename(answers));
   }
-  if (csv) {
+  if (csv && !session.interrupted()) {
     need(csv->write(to_csv(by_kinds(rows))));
     need(csv->commit());
   }
@@ -205,7 +214,8 @@ void add_evaluate(CommandLine& line) {
                "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
                "(tables.md), which `report` shows; killed, the same command goes on where it was");
   command.text("--csv FILE", options->csv,
-               "Also a CSV file with a line for each class, kinds and method");
+               "Also a CSV file with a line for each class, kinds and method; none after an "
+               "interruption");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of tables, figures and watchable failures");
   command.flag("--by-class", options->by_class,

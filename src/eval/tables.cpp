@@ -1,5 +1,7 @@
 #include "eval/tables.hpp"
 
+#include <cmath>
+
 #include "eval/paper_rates.hpp"
 #include "files/query_csv.hpp"
 #include "io/output_file.hpp"
@@ -105,8 +107,8 @@ void add_late_column(std::vector<Column<Row>>& columns, const std::vector<Row>& 
   const auto late_by = [](const Row& row) { return row.tally.late_by; };
   if (std::ranges::none_of(rows, [&](const Row& row) { return late_by(row) > 0; })) return;
   columns.push_back({{"late by ≤"}, [=](const Row& row) {
-                       return TableCell{late_by(row) > 0 ? fmt::format("{:.2g}", late_by(row))
-                                                         : "-"};
+                       const bool is_known = 0 < late_by(row) && std::isfinite(late_by(row));
+                       return TableCell{is_known ? fmt::format("{:.2g}", late_by(row)) : "-"};
                      }});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "case/answer.hpp"
@@ -19,7 +20,8 @@ struct Tally {
   std::uint64_t positives = 0;  ///< those of them whose truth is a contact
   std::uint64_t negatives = 0;  ///< those of them whose truth is absence
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
-  double late_by = 0;  ///< of the late hits, the most
+  /// Of the late hits, the most; infinity where it is not known of one, as of earlier versions.
+  double late_by = 0;
   std::uint64_t pops = 0;
   LogHistogram seconds, bytes;  ///< each answer's
 
@@ -53,7 +55,9 @@ struct Tally {
     if (outcome == Outcome::kNotAsked) return;
     ++n;
     if (collides) ++(*collides ? positives : negatives);
-    late_by = std::max(late_by, late);
+    if (outcome == Outcome::kLate) {
+      late_by = std::max(late_by, late > 0 ? late : std::numeric_limits<double>::infinity());
+    }
     pops += cost.pops;
     seconds.add(cost.seconds);
     bytes.add(static_cast<double>(cost.bytes));

@@ -32,6 +32,7 @@ TEST(Tally, CountsEachOutcomeOnce) {
   }
   EXPECT_EQ(tally.count(Outcome::kCorrect), 0U);
   EXPECT_EQ(tally.pops, 20U);
+  EXPECT_TRUE(std::isinf(tally.late_by)) << "nothing said how late";
   EXPECT_EQ(tally.seconds.mean(), 0.5);
 }
 
