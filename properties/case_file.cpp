@@ -186,6 +186,13 @@ void claim_reader_takes(const std::string& text) {
   }
 }
 
+std::string draw_spoilt_text(Draw& choices, std::string text) {
+  // Once mostly: what is spoilt often is refused for one reason alone.
+  const std::uint64_t times = choices.coin() ? 1 : choices.choose(4);
+  for (std::uint64_t left = times; left > 0; --left) spoil_text(choices, text);
+  return text;
+}
+
 std::vector<Property> case_file_claims() {
   return {
       {"case_file.mutants",
@@ -200,10 +207,7 @@ std::vector<Property> case_file_claims() {
          CLAIM(read == value);
          CLAIM(to_json(read, layout) == written);  // −0, too
          CLAIM(layout == JsonLayout::kReadable || written.find('\n') == std::string::npos);
-         std::string text = written;
-         // Once mostly: what is spoilt often is refused for one reason alone.
-         const std::uint64_t times = d.coin() ? 1 : d.choose(4);
-         for (std::uint64_t left = times; left > 0; --left) spoil_text(d, text);
+         const std::string text = draw_spoilt_text(d, written);
          show(d, "text", AsHex{text});
          claim_reader_takes(text);
        }},

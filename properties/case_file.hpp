@@ -15,4 +15,7 @@ void claim_reader_takes(const std::string& text);
 using DrawRational = Rational(Draw& choices);
 Truth draw_any_truth(Draw& choices, const Query& query, DrawRational* draw_number);
 
+/// The text with a few changes of the kind that confuses readers, or none.
+std::string draw_spoilt_text(Draw& choices, std::string text);
+
 }  // namespace ccdfuzz

@@ -23,7 +23,7 @@ struct Extent {
   Rational min, max;
 };
 
-/// Of the velocities of a patch, along an axis.
+/// The least and the largest velocity of a patch along an axis.
 Extent extent(const MovingPatch<Rational>& patch, int axis) {
   Extent all{patch.velocities[0][axis], patch.velocities[0][axis]};
   for (const Vec3<Rational>& v : patch.velocities) {

@@ -20,7 +20,7 @@ struct Tally {
   std::uint64_t positives = 0;  ///< those of them whose truth is a contact
   std::uint64_t negatives = 0;  ///< those of them whose truth is absence
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
-  /// Of the late hits, the most; infinity where it is not known of one, as of earlier versions.
+  /// The most by which a hit is late; infinity where that of one is not known.
   double late_by = 0;
   std::uint64_t pops = 0;
   LogHistogram seconds, bytes;  ///< each answer's
