@@ -43,19 +43,19 @@ Answer past_start(const Query& query, Answer answer) {
                                                         exact_patch<Rational>(query.patches[1])};
   const Rational apart = NearestPoints()(patches[0].positions, patches[1].positions).squared;
   const Rational d = exact(query.separation);
-  const Rational more = apart - d * d;
+  const auto more = Rational(apart - d * d);
   if (more <= 0) return answer;
   Rational fastest = 0;
   for (int k = 0; k < 3; ++k) {
     const auto [first, second] = std::array{extent(patches[0], k), extent(patches[1], k)};
-    const Rational along =
-        std::max(Rational(second.max - first.min), Rational(first.max - second.min));
+    const Rational along(std::max<Rational>(second.max - first.min, first.max - second.min));
     fastest += along * along;
   }
   // The squares of the bound and of t_max.
   const Rational t_max = exact(query.t_max);
   const bool moves = fastest > 0;
-  const Rational bound = moves ? Rational(more * more / (4 * apart * fastest)) : Rational(0);
+  const auto divisor = Rational(4 * apart * fastest);
+  const Rational bound = moves ? Rational(more * more / divisor) : Rational(0);
   if (moves && bound <= t_max * t_max) {
     answer.toi = root_below(bound);
     return answer;
