@@ -10,7 +10,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The largest double ≤ √x, but for 2^-64 of it. Requires x ≥ 0.
+/// A double ≤ √x, within two ulps of it. Requires x ≥ 0.
 double root_below(const Rational& x) {
   constexpr unsigned kBits = 64;
   const Integer root = sqrt(Integer(x.get_num() * x.get_den() << 2 * kBits));
@@ -51,13 +51,11 @@ Answer past_start(const Query& query, Answer answer) {
     const Rational along(std::max<Rational>(second.max - first.min, first.max - second.min));
     fastest += along * along;
   }
-  // The squares of the bound and of t_max.
+  // The bound and t_max, squared; where nothing moves the divisor is 0.
   const Rational t_max = exact(query.t_max);
-  const bool moves = fastest > 0;
   const auto divisor = Rational(4 * apart * fastest);
-  const Rational bound = moves ? Rational(more * more / divisor) : Rational(0);
-  if (moves && bound <= t_max * t_max) {
-    answer.toi = root_below(bound);
+  if (more * more <= divisor * t_max * t_max) {
+    answer.toi = root_below(more * more / divisor);
     return answer;
   }
   Answer miss = Answer::miss();
