@@ -32,19 +32,30 @@ std::string abi_name(ShapeKind kind) {
   return name;
 }
 
-std::string points_text(const std::string& name, const Points<double>& points) {
-  std::string out = fmt::format("  const double {}[][3] = {{", name);
-  for (size_t i = 0; i < points.size(); ++i) {
-    out += fmt::format("{}\n      {{{}, {}, {}}}", i == 0 ? "" : ",", to_hex(points[i][0]),
-                       to_hex(points[i][1]), to_hex(points[i][2]));
-  }
-  return out + "};\n";
+/// "{a, b, c}".
+std::string numbers_text(const auto& numbers) {
+  std::vector<std::string> texts;
+  for (const double x : numbers) texts.push_back(to_hex(x));
+  return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
-std::string weights_text(const std::string& name, const std::vector<double>& weights) {
-  std::vector<std::string> numbers;
-  for (const double w : weights) numbers.push_back(to_hex(w));
-  return fmt::format("  const double {}[] = {{{}}};\n", name, fmt::join(numbers, ", "));
+/// An array of rows of so many numbers.
+std::string rows_text(const std::string& name, int size, const auto& rows) {
+  std::vector<std::string> texts;
+  for (const auto& row : rows) texts.push_back(numbers_text(row));
+  return fmt::format("  const double {}[][{}] = {{\n      {}}};\n", name, size,
+                     fmt::join(texts, ",\n      "));
+}
+
+std::string loops_text(const std::string& letter, const Trim& trim) {
+  std::vector<size_t> sizes;
+  std::vector<Uv<double>> vertices;
+  for (const auto& loop : trim) {
+    sizes.push_back(loop.size());
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+  }
+  return fmt::format("  const std::uint64_t loop_sizes_{}[] = {{{}}};\n{}", letter,
+                     fmt::join(sizes, ", "), rows_text("loops_" + letter, 2, vertices));
 }
 
 std::string check_text(TestFramework framework, const std::string& condition) {
@@ -87,8 +98,7 @@ std::string truth_text(const Case& value) {
 std::optional<std::string> without_place(const Query& query) {
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
-    const char* field = !patch.trim.empty()     ? "trim"
-                        : !patch.faces.empty()  ? "faces"
+    const char* field = !patch.faces.empty()    ? "faces"
                         : !patch.turn           ? nullptr
                         : patch.turn->is_spin() ? "spin"
                                                 : "turn";
@@ -156,21 +166,29 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
     const std::string letter = side == 0 ? "a" : "b";
-    out += points_text("positions_" + letter, patch.positions);
+    out += rows_text("positions_" + letter, 3, patch.positions);
     std::vector<std::string> rest(4, "nullptr");  // what the patch may have beside its positions
     if (const auto& velocities = moving.patches[side].velocities; !velocities.empty()) {
-      out += points_text(rest[0] = "velocities_" + letter, velocities);
+      out += rows_text(rest[0] = "velocities_" + letter, 3, velocities);
     }
-    if (patch.has_ends()) out += points_text(rest[1] = "ends_" + letter, patch.ends);
-    if (!patch.weights.empty()) out += weights_text(rest[2] = "weights_" + letter, patch.weights);
+    if (patch.has_ends()) out += rows_text(rest[1] = "ends_" + letter, 3, patch.ends);
+    if (!patch.weights.empty()) {
+      out += fmt::format("  const double {}[] = {};\n", rest[2] = "weights_" + letter,
+                         numbers_text(patch.weights));
+    }
     const bool is_hull = patch.shape.kind == ShapeKind::kHull;
     if (is_hull) rest[3] = to_hex(patch.radius);
     while (rest.back() == "nullptr") rest.pop_back();
-    patches += fmt::format(
-        "  const ccdfuzz_patch {0} =\n"
-        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5});\n",
-        letter, abi_name(patch.shape.kind), is_hull ? 0 : patch.shape.n, patch.shape.m,
-        patch.positions.size(), fmt::join(rest, ", "));
+    std::string made =
+        fmt::format("make_patch({}, {}, {}, {}, positions_{}, {})", abi_name(patch.shape.kind),
+                    is_hull ? 0 : patch.shape.n, patch.shape.m, patch.positions.size(), letter,
+                    fmt::join(rest, ", "));
+    if (!patch.trim.empty()) {
+      out += loops_text(letter, patch.trim);
+      made = fmt::format("trimmed({0},\n              {1}, loop_sizes_{2}, loops_{2})", made,
+                         patch.trim.size(), letter);
+    }
+    patches += fmt::format("  const ccdfuzz_patch {} =\n      {};\n", letter, made);
   }
   out += patches;
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));

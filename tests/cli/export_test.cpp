@@ -44,6 +44,15 @@ const std::string kWeightsAndEnds =
     R"("truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/4"],["0","0"]]}}})"
     "\n";
 
+/// A contact of a face with two loops, which claiming_plugin.cpp knows.
+const std::string kTrimmed =
+    R"({"format":"ccdfuzz-case","version":2,"patches":[{"shape":"triangle","degree":1,)"
+    R"("positions":[[0,0,0],[1,0,0],[0,1,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]],)"
+    R"("trim":[[[0,0],[1,0],[0,1]],[[0.125,0.125],[0.25,0.125],[0.25,0.25],[0.125,0.25]]]},)"
+    R"({"shape":"point","positions":[[0.5,0.375,1]],"velocities":[[0,0,-2]]}],"t_max":1,)"
+    R"("truth":{"collides":true,"witness":{"t":"1/2","uv":[["3/8","1/2"],["0","0"]]}}})"
+    "\n";
+
 /// The exported tests of some cases.
 class ExportedTests {
  public:
@@ -114,7 +123,7 @@ TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
 }
 
 // Bits of claims are those of ccdfuzz_description: 1 conservative, 2 closed at t_max, 4 contact at
-// 0, 8 ends, 32 weights, 64 bodies.
+// 0, 8 ends, 32 weights, 64 bodies, 128 trims.
 TEST(Export, AsGoogleTestAsksForNoContactAtAnEndThatIsNotClaimedAndLetsAPluginRefuse) {
   const ExportedTests tests(kContactAtTheEnd);
   EXPECT_TRUE(tests.pass("verdict=2:claims=4"));
@@ -139,9 +148,17 @@ TEST(Export, AsGoogleTestAsksForWeightsAndEndsAsAPluginTakesThem) {
   EXPECT_TRUE(tests.pass("verdict=2:claims=10"));
 }
 
+/// To loops as they stand in the case its answer is a hit at 0.
+TEST(Export, AsGoogleTestAsksForTrimsOnlyWhatTakesThem) {
+  const ExportedTests tests(kTrimmed);
+  EXPECT_TRUE(tests.pass("verdict=2:claims=130"));
+  EXPECT_FALSE(tests.pass("verdict=1:toi=0.75:claims=130"));
+  EXPECT_TRUE(tests.pass("verdict=2:claims=2")) << "it is not asked";
+}
+
 TEST(Export, AsCatch2Compiles) {
   const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", kReachesTheFace + kStaysAbove);
+  write_text(folder / "cases.jsonl", kReachesTheFace + kStaysAbove + kTrimmed);
   // A stand-in for the two macros of Catch2 that are used.
   std::filesystem::create_directories(folder / "catch2");
   write_text(folder / "catch2/catch_test_macros.hpp",

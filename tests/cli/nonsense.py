@@ -23,7 +23,7 @@ NONSENSE = [
 LONGEST_ERROR = 4000
 
 # Options that write to a file or folder of any name but the empty one.
-WRITTEN = {"--output", "--report", "--corpus", "--save"}
+WRITTEN = {"--output", "--csv", "--report", "--corpus", "--save"}
 
 # What is no nonsense for an option.
 SENSE = {
