@@ -105,8 +105,10 @@ function answer({ patches, t_max: tMax }, domain, cast) {
     const bodies = patches.map((patch) => body(patch, domain));
     const [a, b] = bodies[0].mesh ? bodies.reverse() : bodies;
     const way = axes.map((k) => float((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
+    const start = performance.now();
     const share = cast(a, b, way, tMax);
-    return share === undefined ? { verdict: 'miss' } : { verdict: 'hit', toi: share * tMax };
+    const seconds = (performance.now() - start) / 1000;
+    return share === undefined ? { verdict: 'miss', seconds } : { verdict: 'hit', toi: share * tMax, seconds };
   } catch (error) {
     if (error instanceof Refusal) return { verdict: 'refused', message: error.message };
     if (error instanceof GaveUp) return { verdict: 'inconclusive', message: error.message };

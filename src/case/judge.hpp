@@ -61,6 +61,7 @@ struct Judged {
   double depth = 0;
   /// By the terms of the answer.
   bool in_plane = false;
+  double depth_tolerance = 0, time_tolerance = 0;
 };
 
 /// How long after the proven contact a hit comes, rounded up. Requires that both are there.

@@ -24,6 +24,10 @@ struct AnswerRow {
     archive("outcome", row.judged.outcome);
     archive.optional("late_by", row.judged.late_by);
     archive.optional("depth", row.judged.depth);
+    if (is_false_negative(row.judged.outcome)) {
+      archive.optional("depth_tolerance", row.judged.depth_tolerance);
+      archive.optional("time_tolerance", row.judged.time_tolerance);
+    }
     archive("pops", answer.pops);
     archive("seconds", answer.seconds);
     archive.optional("error", row.judged.error);

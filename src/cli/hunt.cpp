@@ -207,6 +207,13 @@ bool fails(const HuntReport& report, FailOn fail_on) {
          std::ranges::any_of(report.finds, breaks_claim, &Find::failure);
 }
 
+/// A method, with a name that is no plug-in's.
+Result<std::string> parse_built_in(const std::string& where, const std::string& text) {
+  if (names_plugin(text)) return input_error(where, text + " is a plug-in, not built in");
+  if (const auto info = method_info(text); !info) return input_error(where, info.error().what);
+  return text;
+}
+
 std::vector<std::string> methods_by_default() {
   std::vector<std::string> methods = default_methods();
   methods.insert(methods.begin(), "trad");
@@ -318,6 +325,11 @@ void add_hunt(CommandLine& line) {
   command.group("What to test");
   hunt.methods = methods_by_default();
   add_methods(command, hunt.methods, "Methods to test, separated by commas");
+  command
+      .parsed("--beside METHOD", hunt.beside,
+              "A built-in method to time on the same draws; its answers are not judged",
+              parse_built_in)
+      .in("Methods");
   constexpr int kWidest = 1074;  // 2^-1074 is the least double
   const Option shape = command.parsed("--shape SHAPE", hunt.ground.shapes,
                                       "Only this shape for both patches, or one for each with a "

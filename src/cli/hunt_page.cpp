@@ -122,6 +122,7 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
       continue;
     }
     sum->tally.merge(cell.tally);
+    sum->beside.merge(cell.beside);
     sum->cpu_seconds += cell.cpu_seconds;
     sum->bred.mutants += cell.bred.mutants;
     sum->bred.lost += cell.bred.lost;
@@ -155,6 +156,10 @@ Table hunt_table(const std::vector<HuntCell>& of_classes, bool by_class) {
   add_outcomes(columns, met_in(cells, {Outcome::kError, Outcome::kFalsePositive}), false);
   add_refused_column(columns, cells);
   columns.push_back(mean_column());
+  if (std::ranges::any_of(cells, [](const HuntCell& cell) { return cell.beside.count() > 0; })) {
+    columns.push_back(measured_column<HuntCell>(
+        "beside", [](const HuntCell& cell) { return duration_text(cell.beside.mean()); }));
+  }
   add_mutant_columns(columns, cells);
   return table_of(cells, columns, [by_class](const HuntCell& a, const HuntCell& b) {
     return !by_class || a.contact == b.contact;

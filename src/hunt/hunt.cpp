@@ -33,6 +33,7 @@ constexpr double kSlice = 0.02;
 /// The result of a turn.
 struct Done {
   Tally tally;                ///< for a draw
+  LogHistogram beside;        ///< for a draw, as of HuntCell
   double cpu_seconds = 0;     ///< in all
   double draw_seconds = 0;    ///< the part for making the draw
   double answer_seconds = 0;  ///< the part for answers that were no refusals
@@ -121,7 +122,7 @@ class Hunt {
         if (std::ranges::find(own, contact) == own.end()) continue;
         const std::uint64_t seed = Random::keyed({options_.seed, report_.cells.size()}).next();
         nurseries_.push_back({Breeder(method, seed, options_.ground), draws[m]});
-        report_.cells.push_back({method, contact, {}, 0, {}});
+        report_.cells.push_back({method, contact, {}, 0, {}, {}});
       }
     }
     return report_.cells.size();
@@ -179,6 +180,9 @@ class Hunt {
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
       done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
       note_failure(cell.method, asked.value(), judged, asker, done);
+      if (!options_.beside || judged.outcome == Outcome::kNotAsked) continue;
+      const Judged beside = ask(asker.methods()[*options_.beside], asked, options_.search);
+      if (beside.outcome != Outcome::kNotAsked) done.beside.add(beside.answer.seconds);
     }
     if (turn.draw < founders_of(turn.draw + 1)) {
       const std::lock_guard lock(mutex_);
@@ -237,6 +241,7 @@ class Hunt {
     schedule_.done(turn, done.cpu_seconds, done.bred);
     report_.draw_cpu_seconds += done.draw_seconds;
     cell.tally.merge(done.tally);
+    cell.beside.merge(done.beside);
     cell.cpu_seconds += done.answer_seconds;
     for (const Failure& failure : done.met) met_ = met_ || failure.outcome == options_.until;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
@@ -251,7 +256,7 @@ class Hunt {
     now.trouble = intake_.trouble();
     now.met = met;
     now.margins.resize(options_.methods.size());
-    for (const auto& [method, contact, tally, cpu_seconds, bred] : report_.cells) {
+    for (const auto& [method, contact, tally, cpu_seconds, bred, beside] : report_.cells) {
       const auto m = std::ranges::find(options_.methods, method) - options_.methods.begin();
       std::optional<std::uint64_t>& least = now.margins[static_cast<size_t>(m)];
       now.queries += tally.n;

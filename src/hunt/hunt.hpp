@@ -36,6 +36,8 @@ struct HuntOptions {
   /// Ends once a counterexample with this outcome is met, and is shrunk then.
   std::optional<Outcome> until;
   Shrink shrink = Shrink::kPlugins;
+  /// A built-in method that is timed on the same draws.
+  std::optional<std::string> beside;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
 };
@@ -47,6 +49,7 @@ struct HuntCell {
   Tally tally;             ///< for the draws
   double cpu_seconds = 0;  ///< for the queries about them
   BreedTally bred;         ///< for their mutants
+  LogHistogram beside;     ///< seconds of HuntOptions::beside for the draws that it answers, too
 
   static void fields(auto& archive, auto& cell) {
     archive.constant("row", "cell");
@@ -57,6 +60,11 @@ struct HuntCell {
     archive("mutants", cell.bred.mutants);
     archive("lost_mutants", cell.bred.lost);
     archive("margin_ulps", cell.bred.margin);
+    archive("mean_seconds", cell.tally.seconds.mean());
+    archive("p999_seconds", cell.tally.seconds.quantile(0.999));
+    if (cell.beside.count() == 0) return;
+    archive("beside_mean_seconds", cell.beside.mean());
+    archive("beside_p999_seconds", cell.beside.quantile(0.999));
   }
 };
 

@@ -91,8 +91,9 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
   }
   const double late_by = outcome == Outcome::kLate ? delay_of(known, answer) : 0;
   const bool in_plane = answer.terms.in_plane;
+  const double in_depth = answer.terms.depth_tolerance, in_time = answer.terms.time_tolerance;
   const char* const error = outcome == Outcome::kError ? "nonsense" : "";
-  return {std::move(answer), outcome, error, late_by, 0, in_plane};
+  return {std::move(answer), outcome, error, late_by, 0, in_plane, in_depth, in_time};
 }
 
 }  // namespace ccdfuzz
