@@ -51,8 +51,8 @@ TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
                                                   "--report", folder / "page"})));
     std::string table;
     for (auto& row : json_lines(finished.out)) {
-      for (const char* varies : {"cpu_seconds", "mean_seconds", "p999_seconds", "seconds", "path",
-                                 "reproduce"}) {
+      for (const char* varies :
+           {"cpu_seconds", "mean_seconds", "p999_seconds", "seconds", "path", "reproduce"}) {
         row.erase(varies);
       }
       table += row.dump() + "\n";
