@@ -39,5 +39,22 @@ def main():
     assert said(of_others) == ("fcl: none of its kept finds could be asked", False)
     assert engines.replay_kept("tight-inclusion", "plugin:none", None) == ("", True)  # it has no finds
 
+    # Of two versions, which find fails in which. The stand-in answers as its plug-in is called.
+    (folder / "find.json").touch()
+    for version, got in (("old", "missed correct late"), ("new", "late missed correct")):
+        (folder / version).write_text("".join(json.dumps({"case": f"{case}.json", "got": outcome}) + "\n"
+                                              for case, outcome in zip("abc", got.split())))
+    program = folder / "ccdfuzz"
+    program.write_text(f"#!/bin/sh\ncase $* in *=old*) cat {folder}/old;; *) cat {folder}/new;; esac\n")
+    hunted = [({"version": version, "queries": 1000, "missed": missed, "late": 3, "false hit": 0}, folder, plugin)
+              for version, missed, plugin in (("1.0", 20, "old"), ("1.1", 10, "new"))]
+    assert engines.what_changed("tight-inclusion", hunted, argparse.Namespace(program=program, options="")) == (
+        "tight-inclusion from 1.0 to 1.1: of 3 finds 1 fail in both, 1 in 1.0 alone (c), 1 in 1.1 alone (b); "
+        "of queries missed 2 % to 1 %, late 0.3 % to 0.3 %, false hit 0 % to 0 %")
+    deepest = sys.modules["engine_tools.hunting"].deepest
+    assert deepest([{"depth": 0.031, "depth_tolerance": 1e-4}, {"depth": 0.02, "depth_tolerance": 1e-5}]) == {
+        "deepest": "0.031", "of its own": "2000 x"}
+    assert deepest([{"late_by": 3e-4, "time_tolerance": 1e-4}])["of its own"] == "3 x late"
+
 
 main()
