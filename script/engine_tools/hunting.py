@@ -58,7 +58,7 @@ def deepest(finds):
 
 
 def hunt(name, folder, plugin, arguments):
-    """The row of an engine, of the hunt's own rows, and what errors it met, in words."""
+    """The row of an engine, of the hunt's own rows, and the names of the errors that it met."""
     length = (["--cases", str(arguments.cases)] if arguments.cases is not None
               else ["--seconds", str(arguments.seconds)])
     beside = built_in(plugin, arguments)
@@ -79,7 +79,7 @@ def hunt(name, folder, plugin, arguments):
     finds = json_rows([arguments.program, "query", *sorted(paths), "--plugin", f"{name}={plugin}",
                        "--methods", f"plugin:{name}", "--json"]) if paths else []
     return ({**row, "finds": len(paths), **deepest(finds), **costs(cells, beside, peak)},
-            f"errors of {name}: {', '.join(sorted(errors))}" if errors else "")
+            ", ".join(sorted(errors)))
 
 
 def promise(name):

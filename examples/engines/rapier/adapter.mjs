@@ -30,7 +30,11 @@ function shape(body) {
   }
   if (half) return radius === 0 ? new RAPIER.Cuboid(...half) : new RAPIER.RoundCuboid(...half, radius);
   const all = new Float32Array(points.flat());
-  return radius === 0 ? new RAPIER.ConvexPolyhedron(all, null) : new RAPIER.RoundConvexPolyhedron(all, null, radius);
+  const hull = radius === 0 ? new RAPIER.ConvexPolyhedron(all, null) : new RAPIER.RoundConvexPolyhedron(all, null, radius);
+  const raw = hull.intoRaw();
+  if (!raw) throw new Refusal('makes no hull of these corners');
+  raw.free();
+  return hull;
 }
 
 const still = vector([0, 0, 0]);
