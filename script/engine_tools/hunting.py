@@ -5,7 +5,7 @@ import json
 from engine_tools.asking import hunt_command, json_rows, rows_and_peak
 from engine_tools.install import ADAPTERS
 
-# Found, and what it cost. Below each engine's times stand those of a method of ours on its queries.
+# What was found; and what answers cost, beside those of a method of ours to the same queries.
 COLUMNS = ["engine", "version", "queries", "missed", "late", "false hit", "gave up", "errors", "finds",
            "deepest", "of its own"]
 COSTS = ["engine", "version", "mean", "p99.9", "memory", "beside", "its mean", "its p99.9"]
