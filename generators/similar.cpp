@@ -54,6 +54,7 @@ bool change_box(ContactBox& box, const Similarity& change) {
 std::optional<Query> similar(const Query& query, const Similarity& change) {
   Query out = query;
   for (MovingPatch<double>& patch : out.patches) {
+    if (patch.turn || !scale_exactly(patch.radius, change.space)) return std::nullopt;
     if (!change_points(patch.positions, change.shift, change.space)) return std::nullopt;
     if (patch.has_ends()) {
       const Vec3<double> none(0, 0, 0);

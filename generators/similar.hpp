@@ -15,7 +15,8 @@ struct Similarity {
   int time = 0;
 };
 
-/// The query in other coordinates. nullopt if any number of it is not a double then.
+/// The query in other coordinates. nullopt if any number of it is not a double then, or a body of
+/// it turns.
 std::optional<Query> similar(const Query& query, const Similarity& change);
 
 /// The case in other coordinates, with the same truth. A miss tree is dropped, so that only a new

@@ -22,6 +22,16 @@ std::string story_of(const Property& property, const ChoiceNumbers& numbers) {
 
 }  // namespace
 
+Property about(Property claim, const std::string& method) {
+  claim.check = [check = claim.check_of, method](Draw& d) { check(d, method); };
+  claim.method = method;
+  return claim;
+}
+
+std::string title_of(const std::string& property, const std::string& method) {
+  return method.empty() ? property : property + " of " + method;
+}
+
 Check run(const Property& property, Draw& choices, bool tells) {
   std::string failure;
   try {

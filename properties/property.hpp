@@ -74,7 +74,16 @@ struct Property {
   /// same result.
   std::function<void(Draw&)> check;
   Expectation expected = Expectation::kHolds;
+  /// The check of a claim about any method, for the one of this spec. `check` is for some that are
+  /// built in. Null if the claim says itself which methods it is about.
+  std::function<void(Draw&, const std::string& method)> check_of = {};
+  std::string method = {};  ///< that spec, in what about() made
 };
+
+/// A claim about any method, of this one. Requires check_of.
+Property about(Property claim, const std::string& method);
+/// "NAME of METHOD", or the name.
+std::string title_of(const std::string& property, const std::string& method);
 
 /// Checks a property on an input. An exception is a failure, except
 /// std::bad_alloc, which passes to whoever limits memory. A failure is described by checking the

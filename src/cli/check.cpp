@@ -12,7 +12,9 @@
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "hunt/ground.hpp"
 #include "io/output_file.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "numeric/effort.hpp"
 
 namespace ccdfuzz {
@@ -22,7 +24,7 @@ namespace {
 const std::string kFolder = claims_in("finds");
 
 struct CheckArguments {
-  std::vector<std::string> names;
+  std::vector<std::string> names, methods;
   CheckedInputs inputs;
   std::optional<std::string> choices;
   std::string save;
@@ -39,6 +41,7 @@ struct CheckedProperty {
   std::string saved = {};              ///< its path; empty where it need not or could not be saved
   std::string not_saved = {};          ///< why not, as it was found or as it was shrunk
 
+  std::string title() const { return title_of(property.name, property.method); }
   bool known_false() const { return property.expected == Expectation::kFails; }
   bool is_finding() const { return tally.failed > 0 && !known_false(); }
   /// A claim that is known to be false, and these inputs do not show it.
@@ -47,6 +50,7 @@ struct CheckedProperty {
   static void fields(auto& archive, auto& checked) {
     const CheckTally& tally = checked.tally;
     archive("property", std::string_view(checked.property.name));
+    archive.optional("method", checked.property.method);
     archive("expected_to_fail", checked.known_false());
     archive("seed", checked.inputs.seed);
     archive("first", checked.inputs.first);
@@ -73,7 +77,9 @@ struct CheckedProperty {
 /// For the rows of these.
 Table check_table(const std::vector<Property>& properties) {
   size_t name = 0;
-  for (const Property& property : properties) name = std::max(name, property.name.size());
+  for (const Property& property : properties) {
+    name = std::max(name, title_of(property.name, property.method).size());
+  }
   return Table({{"property", Align::kLeft, name},
                 {"inputs", Align::kRight, 7},
                 {"failed"},
@@ -86,7 +92,7 @@ std::vector<TableCell> cells_of(const CheckedProperty& checked) {
                          : checked.not_refuted() ? TableCell{"not refuted"}
                          : checked.known_false() ? TableCell{"expected failure"}
                                                  : TableCell{""};
-  return {{std::string(checked.property.name)},
+  return {{checked.title()},
           {fmt::format("{}", tally.checked - tally.discarded)},
           {fmt::format("{}", tally.failed), checked.is_finding()},
           note};
@@ -159,17 +165,18 @@ class PropertyCheck {
   }
 
   void found(const CheckTally& tally) {
-    const std::string_view name = checked_.property.name;
-    checked_.reproduce = check_command(name, checked_.inputs.seed, tally.first_failure);
+    const Property& property = checked_.property;
+    const std::string on = words_of(checked_.inputs.seed, tally.first_failure);
+    checked_.reproduce = check_command(property.name, property.method, on);
     // The failure of a claim that is known to be false is for whoever asks for that claim.
     if (checked_.known_false() && options_.names.empty()) return;
-    checked_.find = ClaimFind(checked_.property, tally.error, tally.text, checked_.reproduce);
+    checked_.find = ClaimFind(property, tally.error, tally.text, on);
     save();
     if (session_.json) return;
     progress_.clear();
     const ClaimFind& find = *checked_.find;
     print_find(checked_,
-               shown_failure(fmt::format("{} fails: {}", find.property, find.found)) +
+               shown_failure(fmt::format("{} fails: {}", checked_.title(), find.found)) +
                    fmt::format("as found: {}\n", find.as_found),
                "saved as found");
     need(flush_stdout());
@@ -213,21 +220,31 @@ class PropertyCheck {
   CheckedProperty checked_;
 };
 
-/// Each once, in the order in which they are named.
+/// Each once, in the order in which they are named; with methods, about each of these.
 std::vector<Property> chosen_properties(const CheckArguments& options,
                                         const std::vector<Property>& known) {
-  if (options.names.empty()) return known;
-  std::vector<Property> chosen;
+  std::vector<Property> chosen = options.names.empty() ? known : std::vector<Property>();
   for (const std::string& name : options.names) {
     const Property found = need(property_named(name, known));
     if (std::ranges::count(chosen, found.name, &Property::name) == 0) chosen.push_back(found);
   }
-  return chosen;
+  if (options.methods.empty()) return chosen;
+  std::vector<Property> about_those;
+  for (const std::string& method : options.methods) {
+    need(narrowed({}, {method}));
+    for (const Property& claim : chosen) {
+      if (claim.check_of) about_those.push_back(about(claim, method));
+      if (!claim.check_of && !options.names.empty()) {
+        throw BadInput{{"--methods", claim.name + " says itself which methods it is about"}};
+      }
+    }
+  }
+  return about_those;
 }
 
 /// The find that an input is which somebody else has shrunk, as RapidCheck does.
 ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumbers& choices) {
-  ClaimFind find(property, "", check.text, check_command(property.name, choices));
+  ClaimFind find(property, "", check.text, words_of(choices));
   find.set_least({.numbers = choices, .check = check, .is_cut_short = true});
   return find;
 }
@@ -235,7 +252,8 @@ ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumb
 /// One input of one property, as a find prints it.
 int check_choices(const CheckArguments& options, Session& session) {
   if (options.names.size() != 1) throw BadInput{{"--choices", "needs the name of one property"}};
-  const Property property = need(property_named(options.names[0], session.properties));
+  if (options.methods.size() > 1) throw BadInput{{"--choices", "needs one method at most"}};
+  const Property property = chosen_properties(options, session.properties)[0];
   const ChoiceNumbers numbers = need_at("--choices", parse_choices(*options.choices));
   Draw choices = Draw::from_numbers(numbers);
   const Check check = run(property, choices);
@@ -243,12 +261,13 @@ int check_choices(const CheckArguments& options, Session& session) {
   const bool known_false = property.expected == Expectation::kFails;
   const auto row = [&](auto& archive) {
     archive("property", std::string_view(property.name));
+    archive.optional("method", property.method);
     archive("expected_to_fail", known_false);
     archive("status", check.status);
     archive("text", check.text);
   };
-  session.say(row, fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
-                               fails && known_false ? " as expected" : "",
+  session.say(row, fmt::format("{} {}{}{}{}\n", title_of(property.name, property.method),
+                               name_of(check.status), fails && known_false ? " as expected" : "",
                                check.text.empty() ? "" : ": ", check.text));
   if (fails && !options.save.empty()) {
     const SavedFind saved = need(save_find(options.save, find_of(property, check, numbers)));
@@ -282,7 +301,8 @@ int run_check(const CheckArguments& options, Session& session) {
   Table table = check_table(chosen);
   std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  ClaimChildren children([&] { return ServedClaims(&interrupted); });
+  const bool starts_plugins = std::ranges::any_of(options.methods, names_plugin);
+  ClaimChildren children([&] { return ServedClaims(&interrupted, starts_plugins); });
   for (const Property& property : chosen) {
     if (interrupted) break;
     PropertyCheck check(options, inputs, property, children, session);
@@ -323,6 +343,9 @@ void add_check(CommandLine& line) {
       line.add<CheckArguments>("check", "Test properties on random inputs", run_check);
   command.example("all properties for a minute", "check --seconds 60");
   command.texts("property", options->names, "Names of properties; by default all");
+  add_methods(command, options->methods,
+              "Test only the claims about any method (metamorphic), and of these; by default they "
+              "are of some that are built in");
   command.group("Inputs");
   const Option count =
       command.whole("--count", options->inputs.count,

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "finds/entries.hpp"
 #include "generators/draw/choice_bytes.hpp"
 #include "io/folder_lock.hpp"
@@ -42,23 +43,28 @@ bool are_claims(const std::string& folder, const std::vector<std::string>& entri
 
 }  // namespace
 
-std::string check_command(std::string_view property, const ChoiceNumbers& choices) {
-  return fmt::format("{} check {} --choices {}", shell_word(program_name()), property,
-                     to_word(choices));
+std::string check_command(const std::string& property, const std::string& method,
+                          const std::string& on) {
+  const std::string words = method.empty() ? "" : method_words(std::vector<std::string>{method});
+  return fmt::format("{} check {}{} {}", shell_word(program_name()), property, words, on);
 }
 
-std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index) {
-  return fmt::format("{} check {} --seed {} --first {} --count 1", shell_word(program_name()),
-                     property, seed, index);
+std::string words_of(const ChoiceNumbers& choices) {
+  return "--choices " + to_word(choices);
+}
+
+std::string words_of(std::uint64_t seed, std::uint64_t index) {
+  return fmt::format("--seed {} --first {} --count 1", seed, index);
 }
 
 ClaimFind::ClaimFind(const Property& of, std::string ended_in, std::string first_text,
-                     std::string command)
+                     const std::string& on)
     : property(of.name),
       claim(of.claim),
+      method(of.method),
       error(std::move(ended_in)),
       found(std::move(first_text)),
-      as_found(std::move(command)) {}
+      as_found(check_command(property, method, on)) {}
 
 void ClaimFind::set_least(const Counterexample& least) {
   // A hang is never shrunk further.
@@ -69,12 +75,13 @@ void ClaimFind::set_least(const Counterexample& least) {
 
 std::string ClaimFind::stem() const {
   std::string name = error.empty() ? property : property + "-" + error;
-  std::ranges::replace(name, ' ', '-');
+  if (!method.empty()) name += "-" + method;
+  for (const char other : {' ', '/', ':'}) std::ranges::replace(name, other, '-');
   return name;
 }
 
 std::string ClaimFind::reproduce() const {
-  return shrunk == Shrunk::kNot ? as_found : check_command(property, choices);
+  return shrunk == Shrunk::kNot ? as_found : check_command(property, method, words_of(choices));
 }
 
 bool ClaimFind::replaces(const ClaimFind& other) const {
@@ -119,7 +126,8 @@ Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const Cla
   const std::string path = path_of(folder, like.stem());
   if (!is_there(path)) return std::nullopt;
   return read_find(path).map([&](ClaimFind find) {
-    return find.expect == like.expect ? std::optional(std::move(find)) : std::nullopt;
+    const bool is_alike = find.expect == like.expect && find.method == like.method;
+    return is_alike ? std::optional(std::move(find)) : std::nullopt;
   });
 }
 

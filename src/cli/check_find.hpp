@@ -17,10 +17,13 @@ namespace ccdfuzz {
 /// How often a property runs at most, to shrink one of its failures.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 
-/// The command that runs a property on these choices.
-std::string check_command(std::string_view property, const ChoiceNumbers& choices);
-/// The command that runs it on one draw.
-std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index);
+/// The command that runs a property on what follows: choices, or one draw. method: that of a claim
+/// about() one; otherwise empty.
+std::string check_command(const std::string& property, const std::string& method,
+                          const std::string& on);
+/// The options that are these choices, or one draw.
+std::string words_of(const ChoiceNumbers& choices);
+std::string words_of(std::uint64_t seed, std::uint64_t index);
 
 /// How far a find has been shrunk.
 enum class Shrunk : std::uint8_t {
@@ -36,6 +39,7 @@ constexpr std::array<std::string_view, 3> names_of(Shrunk) {
 /// corpus.
 struct ClaimFind {
   std::string property, claim;
+  std::string method;                            ///< of a claim about() one: its spec
   Check::Status expect = Check::Status::kFails;  ///< what it must show when it is replayed
   std::string error;  ///< the name of what the input ended in ("crash SIGSEGV"); mostly none
   Shrunk shrunk = Shrunk::kNot;
@@ -47,6 +51,7 @@ struct ClaimFind {
     archive.format("ccdfuzz-claim", 1, 1);
     archive("property", find.property);
     archive("claim", find.claim);
+    archive.optional("method", find.method);
     archive("expect", find.expect);
     archive.optional("error", find.error);
     archive("shrunk", find.shrunk);
@@ -57,7 +62,8 @@ struct ClaimFind {
   }
 
   ClaimFind() = default;
-  ClaimFind(const Property& property, std::string error, std::string text, std::string command);
+  /// on: words_of what it failed on first.
+  ClaimFind(const Property& property, std::string error, std::string text, const std::string& on);
 
   /// The name of its file in a folder of finds, without ".json".
   std::string stem() const;
@@ -68,7 +74,9 @@ struct ClaimFind {
   void set_least(const Counterexample& least);
 
   bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
-  std::pair<std::string, ChoiceNumbers> input() const { return {property, choices}; }
+  std::pair<std::string, ChoiceNumbers> input() const {
+    return {title_of(property, method), choices};
+  }
   /// Whether it replaces another find of its claim and error: it is shrunk further, or to less, or
   /// neither has failed again.
   bool replaces(const ClaimFind& other) const;

@@ -64,6 +64,25 @@ std::vector<Option> add_methods(Command& command, std::vector<std::string>& meth
   return {plugins, asked.in("Methods")};
 }
 
+std::string option_words(const char* name, const std::vector<std::string>& values) {
+  if (values.empty()) return "";
+  return fmt::format(" {} {}", name, shell_word(fmt::format("{}", fmt::join(values, ","))));
+}
+
+std::string plugin_words(const std::vector<std::string>& methods) {
+  std::vector<std::string> names;
+  for (const std::string& method : methods) {
+    if (const std::string spec = spec_behind(method); !spec.empty()) {
+      names.push_back(method.substr(method.find(':') + 1) + "=" + spec);
+    }
+  }
+  return option_words("--plugin", names);
+}
+
+std::string method_words(const std::vector<std::string>& methods) {
+  return plugin_words(methods) + option_words("--methods", methods);
+}
+
 std::string marked(const std::string& method) {
   return method + (claims_no_false_negative(method) ? " *" : "");
 }

@@ -47,6 +47,12 @@ std::string to_text(const NotAllowed& left_out);
 std::vector<Option> add_methods(Command& command, std::vector<std::string>& methods,
                                 const std::string& description);
 
+/// " OPTION VALUE,VALUE", for a shell; empty without values.
+std::string option_words(const char* name, const std::vector<std::string>& values);
+/// --plugin for those that have a name; with --methods for all.
+std::string plugin_words(const std::vector<std::string>& methods);
+std::string method_words(const std::vector<std::string>& methods);
+
 /// The method as tables show it: " *" follows where it claims to have no false negative.
 std::string marked(const std::string& method);
 /// A note that explains " *"; empty if none of the methods has it.

@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <iterator>
+
 #include "base/fp_guard.hpp"
 #include "cli/command.hpp"
+#include "hunt/metamorphic.hpp"
 #include "hunt/serve.hpp"
 #include "properties/suites.hpp"
 
@@ -7,8 +11,10 @@ int main(int argc, char** argv) {
   using namespace ccdfuzz;
   // A library that was loaded into this process may have set another, which all threads inherit.
   const FpGuard guard;
-  serve_if_asked(argc, argv, {.claims = properties()});
-  CommandLine line(properties(), suite_named);
+  std::vector<Property> claims = properties();
+  std::ranges::move(metamorphic_claims(), std::back_inserter(claims));
+  serve_if_asked(argc, argv, {.claims = claims});
+  CommandLine line(claims, suite_named);
   for (const auto add :
        {add_hunt, add_query, add_trace, add_generate, add_evaluate, add_import, add_export,
         add_verify, add_prove, add_merge, add_triage, add_replay, add_minimize, add_report,

@@ -31,7 +31,7 @@ std::string time_text(const Rational& t) {
 }
 
 /// A case to ask about, and its checked truth.
-std::string title_of(const NamedCase& named) {
+std::string heading_of(const NamedCase& named) {
   const auto& [query, truth, origin, asked, expect] = named.value;
   std::string known = "nothing is known of a contact";
   if (const std::optional<Rational> by = truth.contact_by()) {
@@ -137,7 +137,7 @@ int run_query(const QueryOptions& options, Session& session) {
         }
         if (spent) return;
         counts.add(named.value);
-        session.start_group(title_of(named));
+        session.start_group(heading_of(named));
         const std::vector<std::string> asked = methods_for(named.value);
         add_notes(notes, named.id, asked, answers);
         for (size_t m = 0; m < answers.size(); ++m) {

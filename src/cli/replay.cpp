@@ -18,6 +18,7 @@
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
 #include "hunt/served_claim.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
@@ -164,12 +165,22 @@ class Replay {
   /// Runs the property of each of these files on its choices, in a child. Throws BadInput for a
   /// file that is no claim, or is of a property that is not known.
   void replay_claims(const std::vector<std::string>& files) {
-    ServedClaims served(&catch_interrupts());
+    ServedClaims built_in(&catch_interrupts()), of_plugins(&catch_interrupts(), true);
     for (const std::string& path : files) {
       if (session_.interrupted()) return;
       const ClaimFind find = need(read_find(path));
-      const Property property =
+      Property property =
           need_at(path + ": property", property_named(find.property, session_.properties));
+      if (!find.method.empty()) {
+        if (!property.check_of) throw BadInput{{path + ": method", "the claim is about no such"}};
+        if (!is_admitted(find.method)) {
+          ++not_allowed_[find.method];
+          continue;
+        }
+        need_at(path + ": method", make_method(find.method));
+        property = about(property, find.method);
+      }
+      ServedClaims& served = names_plugin(find.method) ? of_plugins : built_in;
       const InputRun run = served.on(property, find.choices);
       if (run.error == "interrupted") return;
       const auto& [got, text] = run.check;
@@ -182,13 +193,15 @@ class Replay {
             [&](auto& row) {
               row("claim", path);
               row("property", find.property);
+              row.optional("method", find.method);
               row("expected", find.expect);
               row("got", got);
               row("change", change);
               row.optional("text", text);
             },
             [&] {
-              return change_cells(find.property, name_of(find.expect), name_of(got), change);
+              return change_cells(title_of(find.property, find.method), name_of(find.expect),
+                                  name_of(got), change);
             });
       }
       if (!changed || !options_.update) continue;

@@ -243,8 +243,7 @@ class TriageRun {
     const InputRun run = served.on(property, input.choices);
     if (!run.fails()) return true;
     ++tally.failures;
-    ClaimFind find(property, run.error, run.check.text,
-                   check_command(property.name, input.choices));
+    ClaimFind find(property, run.error, run.check.text, words_of(input.choices));
     if (is_known(find)) {
       ++tally.known;
       return true;

@@ -226,6 +226,15 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
   return generate(options, round).value;
 }
 
+Case Draws::any_case(Draw& draw) const {
+  const ContactClass contact = classes_[draw.below(classes_.size())];
+  const std::vector<Source>& around = sources_[static_cast<size_t>(contact)];
+  const Source& source = around[draw.below(around.size())];
+  GeneratorOptions options = source.options;
+  options.kind = source.kinds[draw.below(source.kinds.size())];
+  return ground_.fitted(generate(options, draw).value);
+}
+
 std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) const {
   // Generators prove what they say.
   const auto made = value_or_throw(check_case(ground_.fitted(drawn_case(contact, index))));

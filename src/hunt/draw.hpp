@@ -26,6 +26,9 @@ class Draws {
   const std::vector<ContactClass>& classes() const { return classes_; }
   /// Requires one of these classes.
   std::vector<CheckedCase> at(ContactClass contact, std::uint64_t index) const;
+  /// A case of any class and source, fitted, of any choices. Requires that the ground is neither
+  /// linear nor uniform. Throws Discarded.
+  Case any_case(Draw& draw) const;
 
  private:
   /// What the draws of a class go round, with the kinds of cases that are made of it. Without

@@ -29,13 +29,29 @@ namespace {
 struct Question {
   std::string claim, of;
   ChoiceNumbers numbers;
+  std::string method, behind;  ///< of a claim about() one: its spec, and that behind its name
 
   static void fields(auto& archive, auto& question) {
     archive("claim", question.claim);
     archive("of", question.of);
     archive("numbers", question.numbers);
+    archive.optional("method", question.method);
+    archive.optional("behind", question.behind);
   }
 };
+
+Question question_of(const Property& claim, const char* of, const ChoiceNumbers& numbers) {
+  return {claim.name, of, numbers, claim.method, spec_behind(claim.method)};
+}
+
+/// As the command line of the parent has it.
+void admit(const Question& asked) {
+  if (is_admitted(asked.method)) return;
+  const std::string name = asked.method.substr(asked.method.find(':') + 1);
+  const Result<void> admitted =
+      asked.behind.empty() ? admit_plugin(asked.method) : name_plugin(name, asked.behind);
+  if (!admitted) throw std::invalid_argument(admitted.error().message());
+}
 
 /// What draws make are thousands of choices. More are not kept: a child's files end at 16 MiB.
 constexpr std::size_t kMostMade = std::size_t{1} << 20;
@@ -103,9 +119,11 @@ Descriptor file_in_memory() {
   throw std::system_error(errno, std::generic_category(), "cannot share a file with a process");
 }
 
-ChildProgram child_of(const Descriptor& made, const std::atomic<bool>* interrupted) {
+ChildProgram child_of(const Descriptor& made, const std::atomic<bool>* interrupted,
+                      bool starts_plugins) {
   ChildProgram program = value_or_throw(served_child({"--claims"}, kServedLimits));
   program.inherited = *made;
+  if (starts_plugins) program.limits.megabytes = 0;  // theirs would be no higher
   program.interrupted = interrupted;
   return program;
 }
@@ -116,12 +134,14 @@ std::string served_check(const std::vector<Property>& claims, const std::string&
   const auto asked = value_or_throw(from_json<Question>(question, "the question"));
   const auto claim = std::ranges::find(claims, asked.claim, &Property::name);
   if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked.claim);
-  if (asked.of == "draws") return to_json(run_on_draws(*claim, asked.numbers));
-  return to_json(run_on(*claim, asked));
+  if (!asked.method.empty()) admit(asked);
+  const Property property = asked.method.empty() ? *claim : about(*claim, asked.method);
+  if (asked.of == "draws") return to_json(run_on_draws(property, asked.numbers));
+  return to_json(run_on(property, asked));
 }
 
-ServedClaims::ServedClaims(const std::atomic<bool>* interrupted)
-    : made_(file_in_memory()), child_(child_of(made_, interrupted)) {}
+ServedClaims::ServedClaims(const std::atomic<bool>* interrupted, bool starts_plugins)
+    : made_(file_in_memory()), child_(child_of(made_, interrupted, starts_plugins)) {}
 
 void CheckTally::add(const CheckTally& next) {
   if (failed == 0 && next.failed > 0) {
@@ -141,8 +161,8 @@ InputRun ServedClaims::on_draw(const Property& property, std::uint64_t seed, std
 
 CheckTally ServedClaims::on_draws(const Property& property, std::uint64_t seed, std::uint64_t first,
                                   std::uint64_t count) {
-  const auto all = ask_served<CheckTally>(
-      child_, to_json(Question{std::string(property.name), "draws", {seed, first, count}}));
+  const auto all =
+      ask_served<CheckTally>(child_, to_json(question_of(property, "draws", {seed, first, count})));
   if (all) return *all;
   CheckTally tally;
   tally.is_cut_short = all.error().name == "interrupted";
@@ -156,7 +176,7 @@ CheckTally ServedClaims::on_draws(const Property& property, std::uint64_t seed, 
 
 InputRun ServedClaims::ask(const Property& property, const char* of, const ChoiceNumbers& numbers) {
   static_cast<void>(::ftruncate(*made_, 0));  // what a child never reads has no choices
-  auto said = ask_served<Check>(child_, to_json(Question{std::string(property.name), of, numbers}));
+  auto said = ask_served<Check>(child_, to_json(question_of(property, of, numbers)));
   InputRun run;
   const off_t size = ::lseek(*made_, 0, SEEK_END);
   ChoiceNumbers made(static_cast<std::size_t>(size) / sizeof made[0]);

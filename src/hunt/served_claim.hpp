@@ -37,9 +37,11 @@ struct CheckTally {
 /// or hang ends it in place of this process, and the next input starts another.
 class ServedClaims {
  public:
-  /// interrupted: true ends what has taken long by then. Errors: throws InputError's text where the
-  /// program is not there, and std::system_error where the system refuses a file.
-  explicit ServedClaims(const std::atomic<bool>* interrupted = nullptr);
+  /// interrupted: true ends what has taken long by then. starts_plugins: for claims about methods
+  /// that are plug-ins. Its memory is not limited then, but theirs is. Errors: throws InputError's
+  /// text where the program is not there, and std::system_error where the system refuses a file.
+  explicit ServedClaims(const std::atomic<bool>* interrupted = nullptr,
+                        bool starts_plugins = false);
 
   /// What ends the child is an error, with what is known of it as the text.
   InputRun on(const Property& property, const ChoiceNumbers& numbers);

@@ -19,11 +19,10 @@ Judged failed(const std::exception& error, std::string name) {
   return {std::move(answer), Outcome::kError, std::move(name)};
 }
 
-/// What a miss or a late hit of bodies is under a tolerance in space. It is correct where they
-/// overlap no deeper in the time that it overlooks, and unknown where that is not measured. Who is
-/// asked ordinary queries alone may overlook a contact of a mesh that has no depth.
-Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome,
-                  bool is_ordinary) {
+}  // namespace
+
+Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ordinary) {
+  const Outcome outcome = judge(known, answer);
   const Query& query = known.query();
   double tolerance = answer.terms.depth_tolerance;
   if (!is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
@@ -46,8 +45,6 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
   if (!depth) return Outcome::kUnknown;
   return *depth <= tolerance ? Outcome::kCorrect : outcome;
 }
-
-}  // namespace
 
 void decide_rows(NamedCase& named) {
   if (!named.rows || named.rows->layout == CsvLayout::kCurved) return;
@@ -82,8 +79,7 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(error, "exception");
   }
   // By the terms of the answer (method.hpp). What throws here is no fault of the method.
-  const Outcome outcome =
-      tolerated(known, answer, judge(known, answer), domain != nullptr && domain->ordinary);
+  const Outcome outcome = outcome_of(known, answer, domain != nullptr && domain->ordinary);
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
   if (answer.broken_claim && !wrong) {

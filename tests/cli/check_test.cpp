@@ -46,6 +46,34 @@ TEST(Check, ChecksEveryListedPropertyWhenLimitedByTime) {
   for (const auto& row : rows) EXPECT_GT(row.at("checked"), 0) << row;
 }
 
+/// What is always a hit is wrong alike. One that misses where the patches come in one order is
+/// not: its counterexample names the plug-in, and is a find of it.
+TEST(Check, FindsTheMethodWhoseAnswersDependOnTheOrderOfThePatches) {
+  const ScratchFolder folder;
+  const std::string finds = folder / "finds", seconds = ":verdict=1:seconds=30";
+  const auto checked = [&](const std::string& more) {
+    return ccdfuzz({"check", "metamorphic.swap", "--count", "20", "--json", "--save", finds,
+                    "--plugin", "p=plugin:" CCDFUZZ_TEST_CLAIMING_PLUGIN + seconds + more,
+                    "--methods", "plugin:p"});
+  };
+  EXPECT_EQ(json_lines(succeeded(checked("")).out).at(0).at("failed"), 0);
+  const Finished found = checked(":ordered=1");
+  EXPECT_EQ(found.code, 1) << found.err;
+  const auto row = json_lines(found.out).at(0);
+  EXPECT_EQ(row.at("method"), "plugin:p");
+  EXPECT_LT(row.at("failed"), row.at("checked"));
+  const Finished again = shell(row.at("reproduce_shrunk").get<std::string>() + " --json");
+  EXPECT_EQ(again.code, 1) << again.err;
+  EXPECT_EQ(json_lines(again.out).at(0).at("text"), row.at("shrunk"));
+  const std::string replay = "\"$ccdfuzz\" replay " + finds;
+  EXPECT_EQ(shell(replay).code, 1) << "no plug-in is started that only a file names";
+  const std::string command = row.at("reproduce_shrunk"), from = " --plugin ";
+  const size_t begin = command.find(from);
+  succeeded(shell(replay + command.substr(begin, command.find(" --methods") - begin)));
+  EXPECT_EQ(ccdfuzz({"check", "metamorphic.swap", "--methods", "none"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"check", "tdibm.swap", "--methods", "tdibm-c"}).code, 2);
+}
+
 TEST(Check, EveryClaimThatIsKnownToBeFalseHasItsCounterexample) {
   const ScratchFolder folder;  // a corpus of claims alone: the cases take minutes under sanitizers
   std::filesystem::copy(CCDFUZZ_SOURCE_DIR "/corpus/claims", folder / "claims");

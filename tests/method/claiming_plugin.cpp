@@ -1,6 +1,7 @@
 // A plug-in that claims and answers what its options say: "claims=5:kind=2:tolerance=0.5:
 // separation=0.25:nan=1", and "verdict=1:toi=0.5:uv=0.25:achieved=0.125", where uv is all four
-// parameters. "within=7:promise=1:points=3" narrow what it is asked. "poisoned=2" is its verdict,
+// parameters. "ordered=1" misses where patch 1 begins ahead of patch 2 in x.
+// "within=7:promise=1:points=3" narrow what it is asked. "poisoned=2" is its verdict,
 // at 0, on what is not finite; without, it is as any other; 8: it hangs; 9: it crashes.
 #include <unistd.h>
 
@@ -87,6 +88,8 @@ struct Claiming {
     }
     answer.toi_lower = number("toi", 0);
     if (answer.toi_lower > query.t_max()) answer.toi_lower = query.t_max();
+    const bool is_ahead = query.patch(0).at(0, 0, 0) > query.patch(1).at(0, 0, 0);
+    if (whole("ordered", 0) == 1 && is_ahead) answer.verdict = CCDFUZZ_MISS;
     answer.tolerance = number("achieved", ccd::kUnknown);
     for (auto& uv : answer.uv) uv[0] = uv[1] = number("uv", ccd::kUnknown);
     const std::uint32_t poisoned = whole("poisoned", 0);
