@@ -5,6 +5,7 @@
 #include "base/fp_guard.hpp"
 #include "bezier/exact_patch.hpp"
 #include "ccd/nearest_points.hpp"
+#include "ccd/nearest_regions.hpp"
 
 namespace ccdfuzz {
 
@@ -41,8 +42,11 @@ Answer past_start(const Query& query, Answer answer) {
   if (answer.verdict != Verdict::kHit || answer.toi != 0) return answer;
   const std::array<MovingPatch<Rational>, 2> patches = {exact_patch<Rational>(query.patches[0]),
                                                         exact_patch<Rational>(query.patches[1])};
-  const Rational apart = NearestPoints()(patches[0].positions, patches[1].positions).squared;
+  Rational apart = NearestPoints()(patches[0].positions, patches[1].positions).squared;
   const Rational d = exact(query.separation);
+  if (apart <= d * d && is_trimmed(query) && are_flat(query)) {
+    apart = squared_distance_of_regions(query, d * d);
+  }
   const auto more = Rational(apart - d * d);
   if (more <= 0) return answer;
   Rational fastest = 0;
