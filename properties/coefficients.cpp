@@ -1,7 +1,7 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
-#include "ccd/axes.hpp"
 #include "ccd/projection.hpp"
+#include "ccd/sub_patches.hpp"
 #include "generators/draw_patch.hpp"
 #include "numeric/exact_scalars.hpp"
 #include "numeric/products.hpp"
@@ -37,25 +37,40 @@ Points<double> draw_full_points(Draw& choices, const Shape& shape) {
   return to_doubles(draw_points(choices, shape, kDoubleBits, -50)).value();
 }
 
-/// (b): the control points of a sub-patch are off by at most eps_cp. (B, k) = (P, 3(n + m)) for
-/// tensor patches, the paper's 6n where n = m, and (2^n P, 5n) for triangles.
-void check_sub_patch_error(Draw& d) {
+/// With coordinates of 53 bits.
+MovingPatch<double> draw_full_patch(Draw& d, bool weighted) {
   constexpr int kDegree = 3;
-  const Shape shape = show(d, "shape", draw_surface(d, kDegree));
+  MovingPatch<double> patch;
+  patch.shape = show(d, "shape", draw_surface(d, kDegree));
+  patch.positions = show(d, "positions", draw_full_points(d, patch.shape));
+  patch.velocities = show(d, "velocities", draw_full_points(d, patch.shape));
+  if (weighted) {
+    patch.weights = show(d, "weights", draw_patch_weights(d, patch.positions.size()));
+    suppose(patch.is_rational());
+  }
+  return patch;
+}
+
+/// (b): the control points of a sub-patch are off by at most eps_cp. (B, k) = (P, 3(n + m)) for
+/// tensor patches, the paper's 6n where n = m, and (2^n P, 5n) for triangles. So are those of a
+/// rational patch (src/ccd/DERIVATION.md), as these corners leave 1 − u and 1 − u − v exact.
+void check_sub_patch_error(Draw& d, bool weighted) {
+  const MovingPatch<double> patch = draw_full_patch(d, weighted);
+  const Shape& shape = patch.shape;
   const auto corners = show(d, "corners", draw_corners(d, shape));
-  const Points<double> points = show(d, "points", draw_full_points(d, shape));
-  Points<double> rounded(points.size());
-  restrict_to<double>(shape, points, corners, rounded);
-  Points<Dyadic> whole, exact(points.size());
-  for (const Vec3<double>& p : points) whole.push_back(exact_dyadic(p));
-  restrict_to<Dyadic>(shape, whole, exact_corners<Dyadic>(corners), exact);
-  const Dyadic largest = Dyadic::exact(largest_components_of({shape, points, points}).position);
+  const MovingPatch<double> rounded = restrict_to(patch, corners);
+  const MovingPatch<Rational> exactly =
+      restrict_to(exact_patch<Rational>(patch), exact_corners<Rational>(corners));
+  const Dyadic largest = Dyadic::exact(largest_components_of(patch).position);
   const bool triangle = shape.kind == ShapeKind::kTriangle;
-  const Dyadic bound = triangle ? theorem_4_1_bound(largest.scaled(shape.n), 5 * shape.n)
-                                : theorem_4_1_bound(largest, 3 * (shape.n + shape.m));
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const Rational bound = (triangle ? theorem_4_1_bound(largest.scaled(shape.n), 5 * shape.n)
+                                   : theorem_4_1_bound(largest, 3 * (shape.n + shape.m)))
+                             .rational();
+  for (std::size_t i = 0; i < patch.positions.size(); ++i) {
     show(d, "control point", i);
-    for (int k = 0; k < 3; ++k) CLAIM(abs(Dyadic::exact(rounded[i][k]) - exact[i][k]) <= bound);
+    for (int k = 0; k < 3; ++k) {
+      CLAIM(abs(exact(rounded.positions[i][k]) - exactly.positions[i][k]) <= bound);
+    }
   }
 }
 
@@ -96,62 +111,70 @@ void check_axis_error(Draw& d) {
   }
 }
 
-/// (d): slopes and intercepts of a sub-patch on an axis, the axis as it is in doubles.
-void check_coefficient_error(Draw& d) {
-  constexpr int kDegree = 3, kDepth = 10;
-  std::array<MovingPatch<double>, 2> patches, parts;
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = patches[s];
-    patch.shape = draw_surface(d, kDegree);
-    patch.positions = draw_full_points(d, patch.shape);
-    patch.velocities = draw_full_points(d, patch.shape);
-  }
-  const auto corners = draw_cell(d, patches[0].shape, kDepth).corners(patches[0].shape);
-  parts[0] = restrict_to(patches[0], corners);
-  parts[1] = patches[1];
-  const AxisReading reading = kAsInAppendixA.axes;
-  const auto frame = [&](int side) {
-    const MovingPatch<double>& part = parts[static_cast<std::size_t>(side)];
-    return obb_frame({part.shape, part.positions, part.velocities}, 0.5, reading, side);
-  };
-  const ObbAxes axes(frame(0), frame(1), reading.length);
+/// (d): slopes and intercepts of a sub-patch on an axis, the axis as it is in doubles. Its k of a
+/// rational patch counts no roundings behind weights: what Appendix B adds is for them.
+void check_coefficient_error(Draw& d, bool weighted) {
+  constexpr int kDepth = 10;
+  Query query;
+  for (MovingPatch<double>& patch : query.patches) patch = draw_full_patch(d, weighted);
+  const MovingPatch<double>& patch = query.patches[0];
+  const Shape& shape = patch.shape;
+  const std::array<Cell, 2> cells = {draw_cell(d, shape, kDepth), Cell()};
+  SubPatches parts(kAsInAppendixA.axes);
+  parts.begin(query);
+  for (int s = 0; s < 2; ++s) parts.prepare(s, {&cells[static_cast<std::size_t>(s)], 1});
+  const ObbAxes axes = parts.axes(0, 0, 0.5);
   const int r = d.integer(0, ObbAxes::kCount - 1);
   const Axis axis = axes[r];
-  const Vec3<Dyadic> direction =
-      exact_dyadic({axis.direction[0], axis.direction[1], axis.direction[2]});
-  const CoefficientError bound =
-      coefficient_error(patches[0].shape, largest_components_of(patches[0]), axis);
-  const MovingPatch<Dyadic> exact =
-      restrict_to(exact_patch<Dyadic>(patches[0]), exact_corners<Dyadic>(corners));
+  const LargestComponents extent = largest_components_of(patch);
+  const CoefficientError bound = coefficient_error(shape, extent, axis);
+  const auto corners = cells[0].corners(shape);
+  const MovingPatch<Rational> exactly =
+      restrict_to(exact_patch<Rational>(patch), exact_corners<Rational>(corners));
   show(d, "axis", r + 1);
-  show(d, "shape", patches[0].shape);
   show(d, "corners", corners);
-  show(d, "positions", patches[0].positions);
-  show(d, "velocities", patches[0].velocities);
+  if (weighted) {
+    const bool triangle = shape.kind == ShapeKind::kTriangle;
+    const int k_cp = 3 * (triangle ? 2 * shape.n : shape.n + shape.m);
+    const Dyadic magnitude = (Dyadic(3) * Dyadic::exact(extent.position))
+                                 .scaled(std::max(shape.n, shape.m) + axis.stage);
+    CLAIM(theorem_4_1_bound(magnitude, 2 * k_cp + 2 + 2 * axis.stage + 3) <=
+          Dyadic::exact(bound.intercept));
+  }
+  const ControlNet net = parts.net(0, 0);
+  const Vec3<Rational> direction = exact(axis.direction);
   Lines<double> line;
-  for (std::size_t i = 0; i < parts[0].positions.size(); ++i) {
-    project({Shape::point(), {&parts[0].positions[i], 1}, {&parts[0].velocities[i], 1}}, axis,
+  for (std::size_t i = 0; i < net.positions.size(); ++i) {
+    project({Shape::point(), net.positions.subspan(i, 1), net.velocities.subspan(i, 1)}, axis,
             line);
-    const Dyadic slope = dot(direction, exact.velocities[i]);
-    const Dyadic intercept = dot(direction, exact.positions[i]);
+    const Rational slope = dot(direction, exactly.velocities[i]);
+    const Rational intercept = dot(direction, exactly.positions[i]);
     show(d, "control point", i);
-    CLAIM(abs(Dyadic::exact(line[0].slope) - slope) <= Dyadic::exact(bound.slope));
-    CLAIM(abs(Dyadic::exact(line[0].intercept) - intercept) <= Dyadic::exact(bound.intercept));
+    CLAIM(abs(exact(line[0].slope) - slope) <= exact(bound.slope));
+    CLAIM(abs(exact(line[0].intercept) - intercept) <= exact(bound.intercept));
   }
 }
 
 }  // namespace
 
 std::vector<Property> coefficients_claims() {
+  const auto of = [](void (*check)(Draw&, bool), bool weighted) {
+    return [=](Draw& d) { check(d, weighted); };
+  };
   return {
       {"paper.sub_patch_error",
        "The control points of a sub-patch are within eps_cp, k = 3(n + m) for tensor patches",
-       "Appendix A (b)", check_sub_patch_error},
+       "Appendix A (b)", of(check_sub_patch_error, false)},
+      {"paper.sub_patch_error_weighted", "The same of rational patches, by the same k",
+       "Appendix A (b); Section 7, NURBS", of(check_sub_patch_error, true)},
       {"paper.axis_error", "The components of the 15 axes, not normalised, are within eps_l",
        "Appendix A (c)", check_axis_error},
       {"tdibm-e.coefficient_error",
        "The slope and intercept of each control point of a part on an axis are within eps_a, eps_b",
-       "Appendix A (d)", check_coefficient_error},
+       "Appendix A (d)", of(check_coefficient_error, false)},
+      {"tdibm-e.coefficient_error_weighted",
+       "The same of rational patches. eps_b is no less than by k with all roundings of weights",
+       "Appendices A (d) and B; Section 7, NURBS", of(check_coefficient_error, true)},
   };
 }
 

@@ -42,7 +42,6 @@ Case draw_transformed(Draw& draw) {
   constexpr std::array kMoves = {change_coordinates,  reparametrise,
                                  elevate_degree,      restrict_to_child,
                                  shift_in_null_space, trade_position_for_velocity};
-  constexpr int kOrdinaryBits = 100;  // products of as many numbers as methods multiply are normal
   Contact q = supposed(contact_of(drawn));
   for (int left = draw.integer(1, 4); left > 0; --left) {
     Contact next = q;

@@ -12,6 +12,8 @@ namespace ccdfuzz {
 
 /// All products of two coordinates and then some stay normal.
 inline constexpr ContactRange kOrdinaryRange;
+/// Within this scale, products of as many numbers as methods multiply are normal.
+inline constexpr int kOrdinaryBits = 100;
 /// The products of two coordinates are subnormal or 0.
 inline constexpr ContactRange kTiny{-545, -530};
 /// Nothing that is drawn under- or overflows a double; products do both. Half of the contacts are

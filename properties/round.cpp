@@ -129,7 +129,7 @@ std::vector<Property> round_claims() {
        "centres, axes, radii and velocities says, for tdibm-c, tdibm-rational and the oracle",
        kFormula, check_formula},
   };
-  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "trad"}) {
+  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
     claims.push_back({"weights.closed_formulas_" + method.substr(0, method.find(':')),
                       fmt::format("No first touch that a closed formula gives is missed or late, "
                                   "nor early by more than boxes explain, for {}",

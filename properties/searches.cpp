@@ -45,7 +45,7 @@ std::optional<MovingPatch<double>> child_of(const MovingPatch<double>& patch, in
 /// boxes are within those of the patch, and come no slower.
 void check_not_early(Draw& d) {
   if (d.choose(2) == 2) {
-    const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
+    const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
     return claim_not_early(name, draw_weighted_first_contact(d), d);
   }
   const FirstContact drawn = draw_first_contact(d);

@@ -1,3 +1,5 @@
+#include "case/scale.hpp"
+#include "properties/draw_weighted.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 
@@ -15,6 +17,12 @@ std::vector<Property> tdibm_e_claims() {
       {"tdibm-e.trace", "No pair of boxes that holds a contact is dropped on the way",
        "Section 4.6", keeps_contacts("tdibm-e")},
   };
+  add_contact_claims(claims, "tdibm-e", "_weighted", "of rational patches of ordinary numbers",
+                     "Section 7, NURBS", [](Draw& d) {
+                       const Contact drawn = draw_weighted_contact(d);
+                       suppose(is_within_scale(drawn.query, kOrdinaryBits));
+                       return case_of(drawn);
+                     });
   add_contact_claims(claims, "tdibm-e", "_underflow", "about 2^-535",
                      "Section 4.6, which does not exclude underflow", tiny, kFails);
   add_contact_claims(claims, "tdibm-e-literal", "", "of ordinary numbers", kAsPrinted, ordinary,

@@ -30,7 +30,9 @@ CoefficientError coefficient_error(const Shape& shape, const LargestComponents& 
                                    const Axis& axis) {
   if (shape.kind == ShapeKind::kHull) refuse_hull();
   // 3·B_cp·B_l·[(1+eps)^(k_cp + k_l + 3) − 1]. It takes B_cp = 2^n·P and k_cp = 6n of (b), with
-  // 3(n+m) for the 6n of a tensor patch whose degrees differ, and 3n for a curve.
+  // 3(n+m) for the 6n of a tensor patch whose degrees differ, and 3n for a curve. With weights
+  // 2·k_cp + 2 stands for k_cp: k_cp + 1 behind w·p, k_cp behind w > 0, and the quotient's. The
+  // factor 2 of Appendix B covers it: 2(k_cp + k_l + 3) > (2·k_cp + 2) + k_l + 3.
   const double factor = std::ldexp(1.0, std::max(shape.n, shape.m));
   const int steps = shape.kind == ShapeKind::kTriangle ? 2 * shape.n : shape.n + shape.m;
   const double per_unit = ErrorBoundIntended::bound(3 * factor * std::ldexp(1.0, axis.stage),

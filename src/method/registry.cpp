@@ -171,10 +171,8 @@ const std::vector<Family>& families() {
   std::vector<std::string> pulled = released;
   pulled.emplace_back("absolute");
   const std::vector<std::string> bounded = {"unoptimised", "unit-axes", "count-pairs"};
-  // Sub-patches with their weights divided out are as good as others, but the error bounds of the
-  // paper are those of polynomials.
+  // Sub-patches with their weights divided out are as good as others.
   constexpr Features kDivided = {.weights = true, .trims = true};
-  constexpr Features kBounded = {.trims = true};
   static const std::vector<Family> all = {
       traditional_family(
           {"trad", kSnyder,
@@ -194,11 +192,11 @@ const std::vector<Family>& families() {
           pull_apart_of),
       tdibm_family<ErrorBoundIntended>(
           {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
-           true, bounded, kBounded},
+           true, bounded, kDivided},
           error_bound_of<ErrorBoundIntended>),
       tdibm_family<ErrorBoundPrinted>(
           {"tdibm-e-literal", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as printed",
-           true, bounded, kBounded},
+           true, bounded, kDivided},
           error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
           {"tdibm-rational", "this project",
