@@ -259,7 +259,11 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   Whole place = draw_whole(options.plane, 16, draw);
   if (options.plane) std::swap(place[1], place[2]);  // it is not along the frame's axes
   const int unit = draw.integer(-7, 0);
-  if (is_far) place = (std::int64_t{1} << (draw.integer(10, 16) - unit - 5)) * place;
+  const bool is_wide = options.binary64 && options.family == Family::kBodies;
+  if (is_far) {
+    const int away = draw.integer(10, is_wide ? 40 : 16);
+    place = (std::int64_t{1} << (away - unit - 5)) * place;
+  }
 
   Case out;
   Query& query = out.query;
@@ -274,6 +278,7 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
       p = kParts * p;
       if (s == 1) p[2] += lift + gap;
       const Whole start = frame(p) + -eighths * velocity + kParts * place;
+      if (!are_doubles(start)) return tl::unexpected(Discard::kRoundTrip);
       hull.positions.push_back(times_power(start, unit - 3));
     }
     hull.velocities.push_back(times_power(velocity, unit));
@@ -286,7 +291,7 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   query.t_max = *t.to_double_exactly() * draw.integer(2, 4) / 2.0;
   if (options.kind == CaseKind::kRP && exact(query.t_max) == witness.t) query.t_max *= 2;
   if (options.kind == CaseKind::kRN) query.t_max = *(t - eps_t(options)).to_double_exactly();
-  if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
+  if (!is_wide && !is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
   const bool is_still = is_grazing(options.family) && approach == Whole{};
   if (is_still) return tl::unexpected(Discard::kFirstContact);
 

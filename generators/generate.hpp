@@ -129,6 +129,8 @@ struct GeneratorOptions {
   BodyKinds bodies = {};
   /// Whether bodies lie and move in the plane z = 0: those of all families but meshes.
   bool plane = false;
+  /// Whether bodies that do not turn may have numbers that are no floats.
+  bool binary64 = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for what grazes, NHP and families: that is only about eps_T² apart

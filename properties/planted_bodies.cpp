@@ -72,12 +72,14 @@ Case draw_planted(Draw& d, CaseKind kind, Family family, bool in_plane) {
   options.kind = kind;
   options.family = family;
   options.plane = in_plane;
+  options.binary64 = d.below(4) == 3;
   options.contact = d.until([&] { return d.pick(kContactClasses); },
                             [&](ContactClass contact) {
                               options.contact = contact;
                               return validate(options).has_value();
                             });
   const Case made = show(d, "planted", generate(options, d).value);
+  CLAIM(options.binary64 || is_binary32(made.query));
   return made;
 }
 
@@ -92,7 +94,6 @@ void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs
   const auto checked = check_case(known);
   CLAIM(checked.has_value());
   CLAIM(checked->collides() == (kind == CaseKind::kRP));
-  CLAIM(is_binary32(known.query));
   const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
   CLAIM(read && *read == known);
   for (const MethodInfo& info : registered_methods()) {

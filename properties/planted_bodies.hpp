@@ -10,15 +10,16 @@ namespace ccdfuzz {
 /// What bodies and meshes have, unless they turn.
 inline constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
 
-/// A planted case of bodies, which it shows: of a class that the family has of the kind.
+/// A planted case of bodies, which it shows: of a class that the family has of the kind. It claims
+/// that the numbers are floats, three times of four.
 Case draw_planted(Draw& d, CaseKind kind, Family family = Family::kBodies, bool in_plane = false);
 
 /// A mutant of queries of bodies, which it shows. They may overlap at the start, and may have a
 /// separation.
 Query draw_mutant(Draw& d, const Query& first, const Query& other);
 
-/// Claims of a planted case of bodies: its truth holds and is of this kind, its numbers are floats,
-/// and it survives a file. Those methods take it that have all features that it needs.
+/// Claims of a planted case of bodies: its truth holds and is of this kind, and it survives
+/// a file. Those methods take it that have all features that it needs.
 void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs);
 
 /// Claims of two decisions of the same bodies: both say the same, and neither has its witness at a

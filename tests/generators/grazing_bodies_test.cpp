@@ -47,6 +47,20 @@ TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {
   made(Family::kMeshGrazing, ContactClass::kFF, 53, false, 3);
 }
 
+TEST(Bodies, OfDoublesAreFarAwayAndTheirTruthHolds) {
+  GeneratorOptions options;
+  options.family = Family::kBodies;
+  options.binary64 = true;
+  double largest = 0;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    options.contact = kContactClasses[index % kContactClasses.size()];
+    const Case value = generate(options, index).value;
+    EXPECT_TRUE(check_case(value)) << name_of(options.contact) << ' ' << index;
+    largest = std::max(largest, largest_coordinate(value.query));
+  }
+  EXPECT_GT(largest, 0x1p36);
+}
+
 // Number 693 is 2^-17 large and 9 from the origin.
 TEST(Meshes, AreMadeWhereTheirStepsAreShorterThanThoseBetweenFloats) {
   GeneratorOptions options;
