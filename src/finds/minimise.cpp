@@ -188,7 +188,8 @@ class Minimiser {
 };
 
 constexpr std::uint64_t kTrialsOfAHang = 6;
-/// Shrinking leaves this share of the depth of a miss, relative to its size.
+/// A taken form of a miss or late hit has this share of the greatest depth so far, relative to its
+/// size.
 constexpr double kDepthKept = 0.5;
 
 /// How deep patches pass through each other in what an answer overlooks (depth_of), as a share of
@@ -212,11 +213,11 @@ Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
   Case start = found;
   start.asked = asked_with(asker.search());
   start.expect.clear();
-  // A deep one stays deep, so that what is left is no matter of rounding.
-  double least = 0;
+  // What becomes deeper stays so, and a deep one is left, no matter of rounding.
+  double deepest = 0;
   if (is_false_negative(failure.outcome)) {
     const CheckedCase known = checked_or_unknown(start);
-    least = kDepthKept * relative_depth(known, asker.ask(failure.who, known));
+    deepest = relative_depth(known, asker.ask(failure.who, known));
   }
   const bool is_admitted = options.admits(start);
   Minimised minimised = minimise(
@@ -225,8 +226,12 @@ Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
         if (is_admitted && !options.admits(simpler)) return false;
         const CheckedCase known = checked_or_unknown(simpler);
         const Judged judged = asker.ask(failure.who, known);
-        return asker.failure(failure.who, simpler, judged) == failure &&
-               (least == 0 || relative_depth(known, judged) >= least);
+        if (asker.failure(failure.who, simpler, judged) != failure) return false;
+        if (deepest == 0) return true;
+        const double depth = relative_depth(known, judged);
+        if (depth < kDepthKept * deepest) return false;
+        deepest = std::max(deepest, depth);
+        return true;
       },
       options);
   minimised.value.origin.name.clear();

@@ -40,7 +40,8 @@ Minimised minimise(const Case& found, Outcome failure,
                    const MinimiseOptions& options = {});
 
 /// The same of a case that shows a failure of a method, by what the method says of simpler ones.
-/// One whose patches pass through each other stays at least half as deep, relative to its size.
+/// One whose patches pass through each other stays at least half as deep as the deepest form that
+/// was taken, relative to its size.
 /// The result expects this failure alone, and has no name. For a hang only a few trials are
 /// made, since each costs all of its time.
 Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
