@@ -13,7 +13,7 @@ namespace ccdfuzz {
 /// for comparison.
 class Margins {
  public:
-  static constexpr std::size_t kMethods = 10;
+  static constexpr std::size_t kMethods = 6;
   /// Margins and slacks from 2^-64 to 2^64 of their unit, in buckets of four doublings.
   static constexpr std::size_t kBuckets = 32;
   static constexpr std::size_t kLevels = 24;  ///< the last is for all that are deeper
