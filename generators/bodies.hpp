@@ -12,7 +12,8 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 /// to 15 points, with a radius or without. The class says what of each is in contact at t*: a
 /// vertex, or a point inside of an edge or of a face. All numbers are floats (binary32) of few
 /// bits, of sizes and speeds from 0.01 to 1000. One scene in eight is up to 2^16 away from the
-/// origin; with options.binary64 it is up to 2^40 away, and its numbers are doubles.
+/// origin; with options.binary64 it is up to 2^40 away, and its numbers are doubles. With
+/// options.at_start one of RP in eight touches at t = 0.
 ///
 /// A frame has two directions in the contact plane and one out of it. If there is a radius, the
 /// third direction has a rational length and is at right angles to the others. One body is on or

@@ -168,6 +168,7 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
   options.bodies = ground_.body_kinds;
   options.plane = ground_.plane;
   options.binary64 = !ground_.binary32;
+  options.at_start = !ground_.ordinary;
   options.seed = seed_;
   for (const CaseKind kind : kCaseKinds) {
     options.kind = kind;

@@ -47,18 +47,21 @@ TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {
   made(Family::kMeshGrazing, ContactClass::kFF, 53, false, 3);
 }
 
-TEST(Bodies, OfDoublesAreFarAwayAndTheirTruthHolds) {
+TEST(Bodies, OfDoublesAreFarAwaySomeTouchAtTheStartAndTheirTruthHolds) {
   GeneratorOptions options;
   options.family = Family::kBodies;
-  options.binary64 = true;
+  options.binary64 = options.at_start = true;
   double largest = 0;
+  int at_start = 0;
   for (std::uint64_t index = 0; index < 200; ++index) {
     options.contact = kContactClasses[index % kContactClasses.size()];
     const Case value = generate(options, index).value;
     EXPECT_TRUE(check_case(value)) << name_of(options.contact) << ' ' << index;
     largest = std::max(largest, largest_coordinate(value.query));
+    at_start += value.truth.witness->t == 0 ? 1 : 0;
   }
   EXPECT_GT(largest, 0x1p36);
+  EXPECT_GT(at_start, 10);
 }
 
 // Number 693 is 2^-17 large and 9 from the origin.
