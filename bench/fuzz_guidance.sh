@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # What guides best, in one table: how many kinds of contacts (class, level, axes, what is wrong) each
 # method loses within some CPU time, from nothing, on draws alone, on what libFuzzer makes of
-# coverage alone and of the margins as extra counters, and on what a hunt breeds by chance and by
-# margins. Medians over seeds. libFuzzer runs as always: an input names its method (fuzz/unproven.hpp),
+# coverage, and on what a hunt breeds by chance and by margins. Medians over seeds. libFuzzer runs as always: an input names its method (fuzz/unproven.hpp),
 # and one run has the time of all methods together; the others have each method's time for it alone.
 #   bench/fuzz_guidance.sh FIRST_FINDS TARGET [SECONDS [RUNS]]
 # FIRST_FINDS: the program ccdfuzz_first_finds. TARGET: fuzz_witnessed. Both without sanitizers, or
@@ -34,14 +33,13 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 # The places of the methods that lost something, one a kind.
-kinds_kept() {  # seed, "margins" or nothing
+kinds_kept() {  # seed
   local status kept
   rm -rf "$scratch/lost" "$scratch/corpus"
   mkdir "$scratch/lost" "$scratch/corpus"
   # The target's own time is the wall's; the limit of the shell is of CPU time, and ends it.
   (
     ulimit -t $((seconds * ${#methods[@]}))
-    [ -n "$2" ] || export CCDFUZZ_WITHOUT_MARGINS=1
     CCDFUZZ_LOST=$scratch/lost "$target" -seed="$1" "${options[@]}" \
       -artifact_prefix="$scratch/" "$scratch/corpus" >"$scratch/log" 2>&1
   ) 2>/dev/null && status=0 || status=$?
@@ -54,26 +52,15 @@ kinds_kept() {  # seed, "margins" or nothing
   for kept in "$scratch/lost"/*; do head -c 1 "$kept" | od -An -tu1; done
 }
 
-# Into "$scratch/$1", of each method a line: the median over the seeds.
-medians_of_libfuzzer() {  # "margins" or "coverage"
-  local seed place
-  for ((seed = 1; seed <= runs; ++seed)); do
-    kinds_kept "$seed" "${1#coverage}" >"$scratch/kinds.$seed" || return
-  done
-  for place in "${!methods[@]}"; do
-    for ((seed = 1; seed <= runs; ++seed)); do grep -cx " *$place" "$scratch/kinds.$seed" || true; done |
-      sort -n | sed -n "$((runs / 2 + 1))p"
-  done >"$scratch/$1"
-}
-
-medians_of_libfuzzer coverage
-medians_of_libfuzzer margins
-echo "| kinds lost in $seconds s | draws | coverage | and margins | bred by chance | bred by margins |"
-echo '|---|---|---|---|---|---|'
+for ((seed = 1; seed <= runs; ++seed)); do
+  kinds_kept "$seed" >"$scratch/kinds.$seed"
+done
+echo "| kinds lost in $seconds s | draws | coverage | bred by chance | bred by margins |"
+echo '|---|---|---|---|---|'
 for place in "${!methods[@]}"; do
   row=$("$first_finds" --kinds --only "${methods[place]}" --seconds "$seconds" --seeds "$runs" | tail -n 1)
   IFS='|' read -r _ name draws chance margins _ <<<"$row"
-  coverage=$(sed -n "$((place + 1))p" "$scratch/coverage")
-  counters=$(sed -n "$((place + 1))p" "$scratch/margins")
-  echo "|$name|$draws| $coverage | $counters |$chance|$margins|"
+  coverage=$(for ((seed = 1; seed <= runs; ++seed)); do grep -cx " *$place" "$scratch/kinds.$seed" || true; done |
+    sort -n | sed -n "$((runs / 2 + 1))p")
+  echo "|$name|$draws| $coverage |$chance|$margins|"
 done

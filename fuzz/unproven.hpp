@@ -16,10 +16,6 @@ inline constexpr std::array kUnproven = {
     "tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
     "tdibm-e", "tdibm-e-literal", "trad"};
 
-/// How many of them, the first, are guided by their margins. Those of the others find no more kinds
-/// of losses than coverage alone does (docs/results.md).
-inline constexpr std::size_t kGuided = 4;
-
 /// The place of the method that an input names; of any byte, since other fuzzers write any.
 inline std::size_t unproven_of(std::span<const std::uint8_t> bytes) {
   return method_number(bytes) % kUnproven.size();

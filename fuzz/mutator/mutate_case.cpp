@@ -16,7 +16,7 @@ std::size_t put(const Contact& q, std::uint8_t method, std::span<std::uint8_t> o
   return bytes->size();
 }
 
-/// Mostly the same one: margins say how near *it* came to losing the contact.
+/// Mostly the same one: the input was kept for what it covers of *it*.
 std::uint8_t mutated_method(std::uint8_t method, std::uint64_t count, Draw& draw) {
   constexpr std::uint64_t kChangedIn = 8;
   if (method >= count) return static_cast<std::uint8_t>(draw.below(count));

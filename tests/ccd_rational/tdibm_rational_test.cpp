@@ -6,9 +6,7 @@
 
 #include "ccd/rational/gap.hpp"
 #include "ccd/rational/proves_clear.hpp"
-#include "generators/generate.hpp"
 #include "numeric/rational.hpp"
-#include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -34,28 +32,6 @@ Query scaled(Query query, int k) {
 Answer ask(const Query& query) {
   TdibmRational method;
   return method.answer(query, {});
-}
-
-GeneratorOptions one_sided(ContactClass contact, CaseKind kind) {
-  GeneratorOptions options;
-  options.contact = contact;
-  options.kind = kind;
-  options.construction = Construction::kOneSided;
-  options.seed = 20250707;
-  return options;
-}
-
-constexpr std::uint64_t kCases = kOneIn == 1 ? 3 : 1;
-
-TEST(TdibmRational, DecidesEveryRegularNegative) {
-  TdibmRational method;
-  for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t i = 0; i < kCases; ++i) {
-      const Case c = generate(one_sided(contact, CaseKind::kRN), i).value;
-      EXPECT_NE(method.answer(c.query, {}).verdict, Verdict::kUndecided)
-          << name_of(contact) << " " << i;
-    }
-  }
 }
 
 TEST(TdibmRational, IsTheSameAtEveryScale) {

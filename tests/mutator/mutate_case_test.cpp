@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "bases.hpp"
-#include "fuzz/margins.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
 #include "share.hpp"
 
 extern "C" {
-extern volatile std::uint8_t ccdfuzz_margin_counters[];
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
                                       const std::uint8_t* data2, std::size_t size2,
@@ -39,21 +37,6 @@ std::vector<std::uint8_t> mutant_of(const Contact& q, unsigned seed, std::uint64
   bytes.resize(mutate_case(bytes.data(), size, kMaxSize, seed,
                            {.own_in = own_in, .methods = kUnproven.size()}));
   return bytes;
-}
-
-/// Which methods noted a margin for the input, by their place among those traced.
-std::vector<std::size_t> methods_that_note(const std::vector<std::uint8_t>& bytes) {
-  volatile std::uint8_t* const counters = ccdfuzz_margin_counters;
-  std::fill_n(counters, Margins::kCounters, std::uint8_t{0});
-  EXPECT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
-  std::vector<std::size_t> methods;
-  for (std::size_t m = 0; m < Margins::kMethods; ++m) {
-    const auto from = counters + m * Margins::kPerMethod;
-    if (std::any_of(from, from + Margins::kPerMethod, [](std::uint8_t c) { return c != 0; })) {
-      methods.push_back(m);
-    }
-  }
-  return methods;
 }
 
 class MutateCase : public testing::TestWithParam<std::uint64_t> {};
@@ -138,22 +121,6 @@ TEST(CrossOver, KeepsTheMethodOfTheFirst) {
     ASSERT_EQ(method_number(child), kMethod);
   }
   EXPECT_GT(children, 0U);
-}
-
-// What guides: a child of an input that nearly lost a contact must be asked of the same method.
-TEST(WitnessedTarget, NotesMarginsOfTheMethodThatTheFirstByteNamesIfTheyGuideIt) {
-  constexpr std::size_t kSound = 2;
-  const std::vector<Contact> bases = mutation_bases();
-  for (std::uint8_t method = 0; method < kUnproven.size(); ++method) {
-    std::vector<std::size_t> seen;
-    for (const Contact& q : bases) {
-      for (const std::size_t m : methods_that_note(to_bytes(q, method).value())) {
-        if (m >= kSound) seen.push_back(m);
-      }
-    }
-    EXPECT_EQ(seen.empty(), method >= kGuided) << kUnproven[method];
-    EXPECT_EQ(std::ranges::count(seen, kSound + method), std::ssize(seen)) << kUnproven[method];
-  }
 }
 
 TEST(WitnessedTarget, ReadsAnyFirstByte) {
