@@ -18,6 +18,7 @@ int run_properties(const PropertiesOptions&, Session& session) {
       archive("claim", std::string_view(property.claim));
       archive("source", std::string_view(property.source));
       archive("expected_to_fail", known_false);
+      archive.optional("any_method", property.check_of != nullptr);
     };
     const std::string head = fmt::format("{} ({}){}", property.name, property.source,
                                          known_false ? ", expected failure" : "");
