@@ -4,6 +4,7 @@ import json
 import pathlib
 
 from engine_tools.asking import outcomes
+from engine_tools.hunting import finds_folder
 from engine_tools.install import ENGINES, ROOT, TAKES, fail, install, run
 
 KEPT = ROOT / "corpus/engines"
@@ -47,9 +48,11 @@ def bisect(name, good, bad, arguments):
         if version not in versions:
             fail(f"{version} is no version of {package}; there are: {' '.join(versions)}")
     low, high = versions.index(good), versions.index(bad)
-    finds = arguments.finds or arguments.folder / f"{name}@{bad}" / "finds"
+    finds = arguments.finds or finds_folder(arguments.folder / f"{name}@{bad}", arguments)
+    # Those that all kept finds need, so that any find is asked.
+    options = ":".join(filter(None, ["", arguments.options or TAKES.get(name)]))
     def shown_by(version):
-        return outcomes(name, install(name, version, arguments)[1], finds, arguments)
+        return outcomes(name, install(name, version, arguments)[1] + options, finds, arguments)
     wrong, right = (shown_by(version) for version in (bad, good))
     telling = {find for find, got in wrong.items() if got in WRONG and right.get(find) == "correct"}
     if not telling:

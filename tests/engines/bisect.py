@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """bisect.py CCDFUZZ FOLDER: script/engines --bisect and --options, with stand-ins for npm and node with its adapter.
 
-Versions called good answer one of two finds right, those called bad miss it, and all others end with an error. Each
-misses the other find of the folder.
+Versions called good answer one of two finds right if they are asked with the options that kept finds need, those called
+bad miss it, and all others end with an error. Each misses the other find of the folder.
 """
 import os
 import pathlib
@@ -22,15 +22,16 @@ elif versions.get(sys.argv[-1].rpartition("@")[2]) is None:
 NODE = '''#!/usr/bin/env python3
 import json, os, sys
 versions = dict(pair.split("=") for pair in os.environ["VERSIONS"].split())
-kind = versions[sys.argv[1].split("@")[1].split("/")[0]]
+kind, options = versions[sys.argv[1].split("@")[1].split("/")[0]], ""
 for line in sys.stdin:
     asked = json.loads(line)
-    if "nonsense" in asked.get("options", ""):
+    options = asked.get("options", options)
+    if "nonsense" in options:
         reply = {"refused": "options", "message": "unknown option nonsense"}
     elif asked["ask"] == "describe":
         reply = {"protocol": 1, "takes_bodies": True, "accepts": [[{"shape": "hull", "max_degree": 8}] * 2]}
     else:
-        is_hit = {"good": True, "bad": False}[kind] and len(asked["patches"][0]["positions"]) == 1
+        is_hit = {"good": "mesh=1" in options, "bad": False}[kind] and len(asked["patches"][0]["positions"]) == 1
         reply = {"id": asked["id"], **({"verdict": "hit", "toi": 0} if is_hit else {"verdict": "miss"})}
     print(json.dumps(reply), flush=True)
 '''
