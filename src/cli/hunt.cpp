@@ -95,7 +95,7 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
     }
     group = breaks;
     std::string text = std::filesystem::path(find.path).filename().string();
-    if (find.depth > 0) text += fmt::format(", {:.2g} deep", find.depth);
+    text += depth_text(find.depth, find.depth_tolerance);
     if (find.late_by > 0) text += fmt::format(", late by {:.2g}", find.late_by);
     const std::vector<std::string>& classes = others.at(alike(find));
     if (!classes.empty()) {
@@ -167,6 +167,7 @@ void print_report_json(const HuntReport& report) {
       Failure::fields(row, find.failure);
       row("breaks_claim", breaks_claim(find.failure));
       row.optional("depth", find.depth);
+      row.optional("depth_tolerance", find.depth_tolerance);
       row.optional("late_by", find.late_by);
       row("kind", find.value.origin.kind);
       row("generator", find.value.origin.generator);

@@ -63,7 +63,7 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
   }
   const bool is_asked = judged.outcome != Outcome::kNotAsked;
   std::string outcome = to_text(judged.outcome, judged.late_by);
-  if (judged.depth > 0) outcome += fmt::format(", {:.3g} deep", judged.depth);
+  outcome += depth_text(judged.depth, judged.depth_tolerance);
   return {{marked(row.method)},
           {std::string(name_of(answer.verdict)) + at},
           {outcome, bad},

@@ -118,6 +118,13 @@ std::string to_text(const Expected& expected, double late_by) {
   return text;
 }
 
+std::string depth_text(double depth, double tolerance) {
+  if (!(depth > 0)) return "";
+  const std::string text = fmt::format(", {:.2g} deep", depth);
+  if (!(tolerance > 0)) return text;
+  return text + fmt::format(", {:.2g} times the tolerance", depth / tolerance);
+}
+
 Asked asked_with(const SearchOptions& search) {
   return {search.precision, std::max(search.max_pops, Asked().max_pops)};
 }

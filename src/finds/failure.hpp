@@ -54,6 +54,8 @@ std::string file_stem(const Failure& failure);
 
 /// "missed (left root)", "late by 0.25 (right root)", "not asked".
 std::string to_text(const Expected& expected, double late_by = 0);
+/// ", 0.031 deep, 310 times the tolerance" of a method that has one, in space; empty for 0.
+std::string depth_text(double depth, double tolerance);
 
 /// The result of an expectation.
 enum class Change : std::uint8_t {

@@ -206,6 +206,7 @@ Result<void> Intake::finish(const Finish& how) {
           const Judged judged = asker.ask(failure.who, known);
           find.depth = depth_of(known, judged).value_or(0);
           find.late_by = judged.late_by;
+          find.depth_tolerance = judged.depth_tolerance;
         }
         const Expected shown{failure.outcome, failure.cause};
         find.differs =

@@ -21,6 +21,7 @@ struct Find {
   bool is_new = false;    ///< found by this run; else it was there before, or a smaller one was
   double depth = 0;       ///< that of a new one (depth_of); 0 where that is not measured
   double late_by = 0;     ///< that of a new one, as of Judged
+  double depth_tolerance = 0;  ///< the same
   /// The method shows something else of a new one, asked again (Asker::differs).
   bool differs = false;
 };
