@@ -51,6 +51,20 @@ bool covers(const MovingPatch<double>& patch, const std::vector<Rational>& weigh
   return odd;
 }
 
+/// Whether their boxes show that edges are no nearer than this squared distance.
+bool are_apart(const Points<Rational>& edge, const Points<Rational>& other,
+               const Rational& squared) {
+  for (int k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax(edge[0][k], edge[1][k]);
+    const auto [other_low, other_high] = std::minmax(other[0][k], other[1][k]);
+    Rational gap = 0;
+    if (low > other_high) gap = low - other_high;
+    if (other_low > high) gap = other_low - high;
+    if (gap > 0 && gap * gap >= squared) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool are_flat(const Query& query) {
@@ -63,6 +77,7 @@ Rational squared_distance_of_regions(const Query& query, const Rational& enough)
   const std::array<std::vector<Points<Rational>>, 2> edges = {edges_of(query.patches[0]),
                                                               edges_of(query.patches[1])};
   std::optional<Rational> least;
+  int pairs = 0;
   const auto is_enough = [&](const Rational& squared) {
     if (!least || squared < *least) least = squared;
     return *least <= enough;
@@ -81,6 +96,8 @@ Rational squared_distance_of_regions(const Query& query, const Rational& enough)
         continue;
       }
       for (const Points<Rational>& other : edges[s]) {
+        if (least && are_apart(edge, other, *least)) continue;
+        if (++pairs > kMostEdgePairs) return enough;
         if (is_enough(NearestPoints()(other, edge).squared)) return *least;
       }
     }

@@ -8,7 +8,8 @@ namespace ccdfuzz {
 /// Moves a hit at t = 0 to a later time, where a query with a separation d > 0 proves one. It does
 /// where the hulls of the patches' control points are farther apart at the start than d, exactly,
 /// or the regions of flat patches (are_flat). Flat patches are their hulls or those regions: their
-/// toi is > 0 whenever they start farther apart than d, unless that time is below the least double.
+/// toi is > 0 whenever they start farther apart than d. Exceptions are a time below the least
+/// double, and trims of which more than kMostEdgePairs pairs of edges are about as near.
 /// Returns other answers as they are, and those of bodies. Where no contact can come by t_max it is
 /// a miss.
 ///
