@@ -44,6 +44,10 @@ struct CheckedProperty {
   std::string title() const { return title_of(property.name, property.method); }
   bool known_false() const { return property.expected == Expectation::kFails; }
   bool is_finding() const { return tally.failed > 0 && !known_false(); }
+  /// A method that refuses or fails is what a hunt finds.
+  std::string unchecked() const {
+    return property.method.empty() ? "nothing checked" : "nothing checked: a hunt tells why";
+  }
   /// A claim that is known to be false, and these inputs do not show it.
   bool not_refuted() const { return known_false() && tally.failed == 0 && !tally.all_discarded(); }
 
@@ -88,7 +92,7 @@ Table check_table(const std::vector<Property>& properties) {
 
 std::vector<TableCell> cells_of(const CheckedProperty& checked) {
   const CheckTally& tally = checked.tally;
-  const TableCell note = tally.all_discarded()   ? TableCell{"nothing checked", true}
+  const TableCell note = tally.all_discarded()   ? TableCell{checked.unchecked(), true}
                          : checked.not_refuted() ? TableCell{"not refuted"}
                          : checked.known_false() ? TableCell{"expected failure"}
                                                  : TableCell{""};
@@ -235,7 +239,7 @@ std::vector<Property> chosen_properties(const CheckArguments& options,
     for (const Property& claim : chosen) {
       if (claim.check_of) about_those.push_back(about(claim, method));
       if (!claim.check_of && !options.names.empty()) {
-        throw BadInput{{"--methods", claim.name + " says itself which methods it is about"}};
+        throw BadInput{{"--methods", fmt::format("{}: {}", claim.name, kOfItsOwn)}};
       }
     }
   }
@@ -343,9 +347,10 @@ void add_check(CommandLine& line) {
       line.add<CheckArguments>("check", "Test properties on random inputs", run_check);
   command.example("all properties for a minute", "check --seconds 60");
   command.texts("property", options->names, "Names of properties; by default all");
-  add_methods(command, options->methods,
-              "Test only the claims about any method (metamorphic), and of these; by default they "
-              "are of some that are built in");
+  add_methods(
+      command, options->methods,
+      "Test only the claims metamorphic.*, about these; by default they are about some that "
+      "are built in");
   command.group("Inputs");
   const Option count =
       command.whole("--count", options->inputs.count,

@@ -77,7 +77,8 @@ std::string ClaimFind::stem() const {
   std::string name = error.empty() ? property : property + "-" + error;
   if (!method.empty()) name += "-" + method;
   for (const char other : {' ', '/', ':'}) std::ranges::replace(name, other, '-');
-  return name;
+  constexpr std::size_t kLongest = 200;  // a file's name may have 255 bytes
+  return name.size() <= kLongest ? name : name.substr(0, kLongest / 2) + "-" + hash_name(name);
 }
 
 std::string ClaimFind::reproduce() const {

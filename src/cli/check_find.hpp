@@ -17,6 +17,9 @@ namespace ccdfuzz {
 /// How often a property runs at most, to shrink one of its failures.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 
+/// Why no method can be named for a claim.
+inline constexpr const char* kOfItsOwn = "the claim says itself which methods it is about";
+
 /// The command that runs a property on what follows: choices, or one draw. method: that of a claim
 /// about() one; otherwise empty.
 std::string check_command(const std::string& property, const std::string& method,

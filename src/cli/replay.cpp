@@ -172,12 +172,12 @@ class Replay {
       Property property =
           need_at(path + ": property", property_named(find.property, session_.properties));
       if (!find.method.empty()) {
-        if (!property.check_of) throw BadInput{{path + ": method", "the claim is about no such"}};
+        if (!property.check_of) throw BadInput{{path + ": method", kOfItsOwn}};
         if (!is_admitted(find.method)) {
           ++not_allowed_[find.method];
           continue;
         }
-        need_at(path + ": method", make_method(find.method));
+        need_at(path + ": method", narrowed({}, {find.method}));
         property = about(property, find.method);
       }
       ServedClaims& served = names_plugin(find.method) ? of_plugins : built_in;

@@ -53,7 +53,8 @@ bool Breeder::is_for_it(const Query& query) const {
 
 void Breeder::add(const Case& known, MethodSet& methods) {
   if (decides_anew(known.query)) {
-    if (!is_for_it(known.query)) return;
+    // One that touches at 0 has no mutants (decided_mutant).
+    if (!is_for_it(known.query) || known.truth.contact_by() == Rational(0)) return;
     founders_.insert(content_address(known.query));
     return drift(queries_, known.query, random_);
   }

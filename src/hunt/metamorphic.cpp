@@ -185,7 +185,7 @@ struct Subject {
       Query nearer = known.query();
       if (!is_of_bodies(nearer) && !is_linear_query(nearer)) return false;
       nearer.separation = round_up(exact(nearer.separation) + exact(terms.space_tolerance));
-      nearer.t_max = *hit.toi;
+      nearer.t_max = round_up(exact(*hit.toi) + exact(terms.time_tolerance));
       return decide(nearer).truth.collides == false;
     }
     return terms.time_tolerance > 0 && known.clearance() != nullptr &&

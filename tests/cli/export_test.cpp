@@ -148,7 +148,6 @@ TEST(Export, AsGoogleTestAsksForWeightsAndEndsAsAPluginTakesThem) {
   EXPECT_TRUE(tests.pass("verdict=2:claims=10"));
 }
 
-/// To loops as they stand in the case its answer is a hit at 0.
 TEST(Export, AsGoogleTestAsksForTrimsOnlyWhatTakesThem) {
   const ExportedTests tests(kTrimmed);
   EXPECT_TRUE(tests.pass("verdict=2:claims=130"));
