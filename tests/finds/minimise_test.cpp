@@ -275,7 +275,6 @@ double largest(const Query& query) {
   return most;
 }
 
-/// As a share of its size.
 double relative_depth(const Case& known) {
   return feature_depth(known, known.query.t_max) / largest(known.query);
 }

@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "bases.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
+#include "method/method_set.hpp"
+#include "scratch_folder.hpp"
 #include "share.hpp"
 
 extern "C" {
@@ -121,6 +124,27 @@ TEST(CrossOver, KeepsTheMethodOfTheFirst) {
     ASSERT_EQ(method_number(child), kMethod);
   }
   EXPECT_GT(children, 0U);
+}
+
+// It stands before what runs the target without CCDFUZZ_LOST.
+TEST(WitnessedTarget, KeepsWhatTheMethodLosesThatTheFirstByteNames) {
+  const ScratchFolder folder;
+  ::setenv("CCDFUZZ_LOST", folder.path().c_str(), 1);
+  const std::vector<Contact> bases = mutation_bases();
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    const auto bytes = mutant_of(bases[seed % bases.size()], seed, 1000);
+    EXPECT_LE(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+  }
+  MethodSet methods;
+  std::set<std::size_t> kept;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+    const std::string text = read_text(file.path());
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const Contact q = contact_of_bytes(bytes, QueryRange::kAll).value();
+    const std::size_t method = *kept.insert(unproven_of(bytes)).first;
+    EXPECT_TRUE(methods[kUnproven[method]].trace(q.query, q.witness(), {}).lost) << file;
+  }
+  EXPECT_GE(kept.size(), 2U);
 }
 
 TEST(WitnessedTarget, ReadsAnyFirstByte) {
