@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "generators/draw/draw.hpp"
 #include "numeric/products.hpp"
@@ -26,13 +25,7 @@ inline Whole any_whole(Draw& draw, std::int64_t most) {
   return out;
 }
 
-/// Whether doubles hold them, by 2^53.
-inline bool are_doubles(const Whole& p) {
-  constexpr std::int64_t kMost = std::int64_t{1} << std::numeric_limits<double>::digits;
-  return std::ranges::all_of(p, [](std::int64_t x) { return -kMost <= x && x <= kMost; });
-}
-
-/// p·2^exponent, of numbers that doubles hold.
+/// p·2^exponent
 inline Vec3<double> times_power(const Whole& p, int exponent) {
   Vec3<double> x;
   for (int k = 0; k < 3; ++k) {

@@ -215,7 +215,8 @@ Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
   start.expect.clear();
   // What becomes deeper stays so, and a deep one is left, no matter of rounding.
   double deepest = 0;
-  if (is_false_negative(failure.outcome)) {
+  const bool may_be_deep = is_false_negative(failure.outcome);
+  if (may_be_deep) {
     const CheckedCase known = checked_or_unknown(start);
     deepest = relative_depth(known, asker.ask(failure.who, known));
   }
@@ -227,8 +228,7 @@ Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
         const CheckedCase known = checked_or_unknown(simpler);
         const Judged judged = asker.ask(failure.who, known);
         if (asker.failure(failure.who, simpler, judged) != failure) return false;
-        if (deepest == 0) return true;
-        const double depth = relative_depth(known, judged);
+        const double depth = may_be_deep ? relative_depth(known, judged) : 0;
         if (depth < kDepthKept * deepest) return false;
         deepest = std::max(deepest, depth);
         return true;
