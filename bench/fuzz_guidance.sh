@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # What guides best, in one table: how many kinds of contacts (class, level, axes, what is wrong) each
 # method loses within some CPU time, from nothing, on draws alone, on what libFuzzer makes of
-# coverage, and on what a hunt breeds by chance and by margins. Medians over seeds. libFuzzer runs as always: an input names its method (fuzz/unproven.hpp),
-# and one run has the time of all methods together; the others have each method's time for it alone.
+# coverage, and on what a hunt breeds by chance and by margins. Medians over seeds. libFuzzer runs as
+# always: an input names its method (fuzz/unproven.hpp), and one run has the time of all methods
+# together; the others have each method's time for it alone.
 #   bench/fuzz_guidance.sh FIRST_FINDS TARGET [SECONDS [RUNS]]
 # FIRST_FINDS: the program ccdfuzz_first_finds. TARGET: fuzz_witnessed. Both without sanitizers, or
 # both with. SECONDS: of CPU time for each method and run, a whole number (default 10). RUNS: how many

@@ -15,7 +15,7 @@ def rows_and_peak(command, accepted=(0,)):
         for file in (out, told):
             file.seek(0)
         if process.returncode not in accepted:
-            raise RuntimeError(told.read().strip().splitlines()[-1])
+            raise RuntimeError((told.read().strip().splitlines() or ["it said nothing"])[-1])
         return [json.loads(line) for line in out], usage.ru_maxrss * 1024
 
 

@@ -9,6 +9,7 @@ picture proves nothing. Bodies that turn or spin, and patches, are not drawn.
 """
 
 import argparse
+import html
 import json
 import math
 import pathlib
@@ -156,7 +157,7 @@ def svg(find, command, late, plane):
     whole = 1.1 * max(abs(x) for p in points for x in p)
     red = [abs(x) for polygon in drawn.overlaps for p in polygon for x in p]
     near = min(whole, 4 * max(red + [drawn.depth / 2]))
-    engine = next(iter(find["expect"])).removeprefix("plugin:")
+    engine = next(iter(find["expect"]), "an engine").removeprefix("plugin:")
     said = "no contact" if late is None else f"a contact at {late:g}"
     first, second = map(words, drawn.bodies)
     places = [(60, "both bodies in the slice", whole), (SIDE + 140, "the overlap from near", near)]
@@ -167,7 +168,7 @@ def svg(find, command, late, plane):
             f"They pass {drawn.depth:.3g} deep through each other. Up is the shortest way out."]
     width, height = 2 * SIDE + 170, SIDE + 120
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">',
-             f"<desc>{command}</desc>",
+             f"<desc>{html.escape(command)}</desc>",
              "<style>text{font:13px sans-serif}.n{font-size:11px}.one{fill:#3b82f680;stroke:#1d4ed8}"
              ".other{fill:#9ca3af80;stroke:#374151}.overlap{fill:#dc2626;stroke:#dc2626;stroke-width:3;"
              "stroke-linejoin:round;stroke-linecap:round}.axis{fill:none;stroke:#000}"
@@ -175,7 +176,7 @@ def svg(find, command, late, plane):
              '<defs><marker id="tip" orient="auto" markerWidth="8" markerHeight="8" refY="3">'
              '<path d="M0 0L6 3L0 6z" fill="#1d4ed8"/></marker></defs>',
              f'<rect width="{width}" height="{height}" fill="#fff"/>',
-             *(f'<text x="20" y="{22 + 20 * i}">{text}</text>' for i, text in enumerate(told)),
+             *(f'<text x="20" y="{22 + 20 * i}">{html.escape(text, quote=False)}</text>' for i, text in enumerate(told)),
              *sum(panels, []), "</svg>"]
     return "\n".join(lines) + "\n"
 
@@ -193,7 +194,7 @@ def main():
     try:
         find = json.loads(arguments.find.read_text())
         arguments.output.write_text(svg(find, command, arguments.late, arguments.plane))
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
         parser.error(f"{arguments.find}: {error}")
 
 
