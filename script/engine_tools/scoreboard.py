@@ -9,9 +9,12 @@ import tempfile
 from engine_tools.asking import hunt_command, json_rows, print_table
 from engine_tools.install import ADAPTERS, fail, install, run
 
-# Outcomes that these versions are known to show: what the scoreboard looks for, with so many seeds.
-KNOWN_FAULTS = [("rapier", "late"), ("rapier", "missed"), ("havok", "late"), ("fcl", "missed"),
-                ("bullet", "missed"), ("bullet", "late")]
+# Outcomes that these versions are known to show, asked with options of the adapter: what the scoreboard
+# looks for, with so many seeds.
+KNOWN_FAULTS = [("rapier", "late", ""), ("rapier", "missed", ""), ("rapier", "late", "mesh=1"),
+                ("havok", "late", ""), ("fcl", "missed", ""), ("fcl-bodies", "missed", ""),
+                ("bullet", "missed", ""), ("bullet", "late", ""), ("bullet", "missed", "mesh=1"),
+                ("physx", "late", "mesh=1"), ("rapier2d", "missed", ""), ("rapier2d", "late", "")]
 SEEDS = 5
 
 
@@ -65,9 +68,12 @@ def scoreboard(arguments):
     if arguments.samples and not any(pathlib.Path(arguments.samples).rglob("*.csv")):
         fail(f"--samples: {arguments.samples} has no .csv file")
     rows, columns = [], ["ours", "uniform"] + ["samples"] * bool(arguments.samples)
-    for name, outcome in KNOWN_FAULTS:
+    for name, outcome, asked_with in KNOWN_FAULTS:
+        if arguments.engines and name not in arguments.engines:
+            continue
         _, plugin, version = install(name, "", arguments)
-        row = {"engine": f"{name} {version}", "fault": outcome}
+        plugin = ":".join(filter(None, [plugin, asked_with]))
+        row = {"engine": " ".join(filter(None, [name, version, asked_with])), "fault": outcome}
         for column in columns:
             if column == "samples" and not takes_features(name):
                 row.update({column: "-", column + " found": "-"})

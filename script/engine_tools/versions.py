@@ -50,7 +50,7 @@ def bisect(name, good, bad, arguments):
     low, high = versions.index(good), versions.index(bad)
     finds = arguments.finds or finds_folder(arguments.folder / f"{name}@{bad}", arguments)
     # Those that all kept finds need, so that any find is asked.
-    options = ":".join(filter(None, ["", arguments.options or TAKES.get(name)]))
+    options = f":{arguments.options or TAKES[name]}" if arguments.options or name in TAKES else ""
     def shown_by(version):
         return outcomes(name, install(name, version, arguments)[1] + options, finds, arguments)
     wrong, right = (shown_by(version) for version in (bad, good))
