@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ccd/nearest_points.hpp"
+#include "ccd/nearest_regions.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/oracle/decide_bodies.hpp"
 #include "generators/draw_trim.hpp"
@@ -181,6 +182,7 @@ void check_toi_after_start(Draw& d) {
     return *least;
   };
   const Rational start = squared_at(0);
+  if (is_trimmed(query)) CLAIM(squared_distance_of_regions(query, 0) == start);
   if (is_trimmed(query)) {
     const double off = std::ldexp(d.coin() ? 1.0 : -1.0, -d.integer(1, kOneUlp));
     query.separation = std::sqrt(start.get_d()) * (1 + off);
