@@ -17,6 +17,7 @@
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
+#include "hunt/ground.hpp"
 #include "hunt/served_claim.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"

@@ -137,6 +137,7 @@ struct Subject {
       if (given.verdict == Verdict::kMiss) given.toi.reset();
       if (is_hit || given.verdict == Verdict::kMiss) return given;
     } catch (const MethodFault&) {
+      throw Discarded();
     }
     throw Discarded();
   }
