@@ -251,8 +251,8 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   const bool is_miss = options.kind == CaseKind::kNMN;
   const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;
   // (Families of bodies that turn and of meshes are made of a later contact.)
-  const bool may_touch =
-      options.at_start && options.family == Family::kBodies && options.kind == CaseKind::kRP;
+  const bool is_plain = options.family == Family::kBodies;
+  const bool may_touch = is_plain && options.at_start && options.kind == CaseKind::kRP;
   const bool at_start = may_touch && draw.below(8) == 7;
   const std::int64_t eighths = at_start ? 0 : draw.integer(1, 8);
   Whole approach = draw_whole(options.plane, 16, draw);
@@ -263,7 +263,7 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   Whole place = draw_whole(options.plane, 16, draw);
   if (options.plane) std::swap(place[1], place[2]);  // it is not along the frame's axes
   const int unit = draw.integer(-7, 0);
-  const bool is_wide = options.binary64 && options.family == Family::kBodies;
+  const bool is_wide = is_plain && options.binary64;
   if (is_far) {
     // Up to 2^50 in eighths of units: doubles hold what is added, too.
     const int away = draw.integer(10, is_wide ? 40 : 16);

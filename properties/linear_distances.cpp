@@ -182,8 +182,8 @@ void check_toi_after_start(Draw& d) {
     return *least;
   };
   const Rational start = squared_at(0);
-  if (is_trimmed(query)) CLAIM(squared_distance_of_regions(query, 0) == start);
   if (is_trimmed(query)) {
+    CLAIM(squared_distance_of_regions(query, 0) == start);
     const double off = std::ldexp(d.coin() ? 1.0 : -1.0, -d.integer(1, kOneUlp));
     query.separation = std::sqrt(start.get_d()) * (1 + off);
   }
