@@ -9,41 +9,16 @@
 #include <optional>
 #include <set>
 
-#include "finds/entries.hpp"
-#include "io/fields.hpp"
+#include "finds/claim_files.hpp"
 #include "io/hash_name.hpp"
-#include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 #include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-constexpr std::size_t kMostEntryBytes = 16 << 20;
 /// A claim discards a draw now and then. Most discard none of these, and none all.
 constexpr std::uint64_t kMostDraws = 100;
-
-/// What is an input in an entry of corpus/claims (src/cli/check_find.hpp).
-struct KeptInput {
-  std::string property;
-  ChoiceNumbers choices;
-
-  static void fields(auto& archive, auto& input) {
-    archive.format("ccdfuzz-claim", 1, 1);
-    archive("property", input.property);
-    archive("choices", input.choices);
-  }
-};
-
-Result<std::vector<KeptInput>> inputs_in(const std::string& folder) {
-  std::vector<KeptInput> inputs;
-  CCDFUZZ_TRY(const auto paths, list_entries(folder));
-  for (const std::string& path : paths) {
-    CCDFUZZ_TRY(const std::string json, read_file(path, kMostEntryBytes));
-    CCDFUZZ_TRY(inputs.emplace_back(), from_json<KeptInput>(json, path, Unknown::kIgnore));
-  }
-  return inputs;
-}
 
 /// The choices that a claim makes of these, as an input of its target. None if it discards them, in
 /// that form too: an input of bytes has no larger choices.
@@ -73,7 +48,11 @@ std::vector<std::string> drawn_inputs(const Suite& suite, const Property& claim)
 Result<std::string> encode(const std::string& name, const std::string& folder,
                            const std::string& corpus) {
   CCDFUZZ_TRY(const Suite suite, suite_named(name));
-  CCDFUZZ_TRY(const auto kept, inputs_in(fmt::format("{}/{}", corpus, kClaims)));
+  CCDFUZZ_TRY(const CorpusFiles files, cases_and_claims(corpus));
+  std::vector<ClaimFind> kept;
+  for (const std::string& path : files.claims) {
+    CCDFUZZ_TRY(kept.emplace_back(), read_claim(path));
+  }
   CCDFUZZ_TRY_VOID(make_folder(folder));
   std::set<std::string> written;  // two entries may be one input of another claim
   const auto write = [&](const Property& claim, const std::string& input) {
@@ -86,7 +65,7 @@ Result<std::string> encode(const std::string& name, const std::string& folder,
     const auto drawn = drawn_inputs(suite, claim);
     if (drawn.empty()) return input_error(claim.name, "discards all that is drawn");
     for (const std::string& input : drawn) CCDFUZZ_TRY_VOID(write(claim, input));
-    for (const KeptInput& entry : kept) {
+    for (const ClaimFind& entry : kept) {
       const auto is_of_suite = property_named(entry.property, suite.claims);
       if (!is_of_suite || suite.is_of_bytes) continue;
       if (is_of_suite->expected == Expectation::kHolds && entry.property != claim.name) continue;

@@ -22,7 +22,11 @@ std::string story_of(const Property& property, const ChoiceNumbers& numbers) {
 
 }  // namespace
 
-Property about(Property claim, const std::string& method) {
+Result<Property> about(Property claim, const std::string& method) {
+  if (method.empty()) return claim;
+  if (!claim.check_of) {
+    return input_error(claim.name, "the claim says itself which methods it is about");
+  }
   claim.check = [check = claim.check_of, method](Draw& d) { check(d, method); };
   claim.method = method;
   return claim;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/enum_names.hpp"
+#include "base/result.hpp"
 #include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
@@ -80,8 +81,9 @@ struct Property {
   std::string method = {};  ///< that spec, in what about() made
 };
 
-/// A claim about any method, of this one. Requires check_of.
-Property about(Property claim, const std::string& method);
+/// A claim about any method, of this one; the claim itself where no method is named. Errors: the
+/// claim says itself which methods it is about.
+Result<Property> about(Property claim, const std::string& method);
 /// "NAME of METHOD", or the name.
 std::string title_of(const std::string& property, const std::string& method);
 

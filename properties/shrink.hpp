@@ -20,7 +20,8 @@ struct Counterexample {
 
 /// When no more simpler inputs are tried. (The input itself, and what comes out, are run besides.)
 struct ShrinkLimits {
-  std::uint64_t tries;                 ///< runs at most
+  static constexpr std::uint64_t kTries = 4000;
+  std::uint64_t tries = kTries;        ///< runs at most
   std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
 };
 

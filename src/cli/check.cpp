@@ -6,11 +6,12 @@
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
-#include "cli/check_find.hpp"
+#include "cli/check_command.hpp"
 #include "cli/check_inputs.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "finds/claim_files.hpp"
 #include "generators/draw/choice_bytes.hpp"
 #include "hunt/ground.hpp"
 #include "io/output_file.hpp"
@@ -71,7 +72,7 @@ struct CheckedProperty {
       archive("fails_again", checked.fails_again);
       archive.when(is_shrunk, "shrunk", find.text);
       archive.when(is_shrunk, "cut_short", find.shrunk == Shrunk::kCutShort);
-      archive.when(is_shrunk, "reproduce_shrunk", find.reproduce());
+      archive.when(is_shrunk, "reproduce_shrunk", reproduction(find));
     }
     archive.optional("saved", checked.saved);
     archive.optional("not_saved", checked.not_saved);
@@ -123,7 +124,7 @@ std::string shrunk_text(const CheckedProperty& checked) {
   }
   const char* state = find.is_complete() ? "" : " (not to the end)";
   return shown_failure(fmt::format("shrunk{}: {}", state, find.text)) +
-         fmt::format("reproduce: {}\n", find.reproduce());
+         fmt::format("reproduce: {}\n", reproduction(find));
 }
 
 /// Prints that, or a find as it was found, and where it is saved.
@@ -170,11 +171,11 @@ class PropertyCheck {
 
   void found(const CheckTally& tally) {
     const Property& property = checked_.property;
-    const std::string on = words_of(checked_.inputs.seed, tally.first_failure);
-    checked_.reproduce = check_command(property.name, property.method, on);
+    checked_.reproduce = check_command(property.name, property.method,
+                                       words_of(checked_.inputs.seed, tally.first_failure));
     // The failure of a claim that is known to be false is for whoever asks for that claim.
     if (checked_.known_false() && options_.names.empty()) return;
-    checked_.find = ClaimFind(property, tally.error, tally.text, on);
+    checked_.find = ClaimFind(property, tally.error, tally.text, checked_.reproduce);
     save();
     if (session_.json) return;
     progress_.clear();
@@ -196,12 +197,12 @@ class PropertyCheck {
     const Stopwatch watch;
     std::uint64_t runs = 0;
     const auto is_over = [&] {
-      progress_.show(static_cast<double>(runs) / static_cast<double>(kShrinkTries),
+      progress_.show(static_cast<double>(runs) / static_cast<double>(ShrinkLimits::kTries),
                      fmt::format("{}: shrinking", checked_.property.name), runs, "runs");
       ++runs;
       return session_.interrupted() || (inputs.seconds && watch.seconds() >= *inputs.seconds);
     };
-    const auto least = claims.least(checked_.property, failed, {kShrinkTries, is_over});
+    const auto least = claims.least(checked_.property, failed, {.is_over = is_over});
     checked_.fails_again = least || failed.error == "hang";
     if (!least) return;
     checked_.find->set_least(*least);
@@ -211,8 +212,8 @@ class PropertyCheck {
   /// Unless a better find of the same failure is there.
   void save() {
     if (checked_.known_false()) return;
-    const Result<SavedFind> saved =
-        save_find(options_.save.empty() ? kFolder : options_.save, *checked_.find);
+    const Result<SavedClaim> saved =
+        save_claim(options_.save.empty() ? kFolder : options_.save, *checked_.find);
     if (saved) checked_.saved = saved->path;
     checked_.not_saved = saved ? "" : saved.error().message();
   }
@@ -237,10 +238,9 @@ std::vector<Property> chosen_properties(const CheckArguments& options,
   for (const std::string& method : options.methods) {
     need(narrowed({}, {method}));
     for (const Property& claim : chosen) {
-      if (claim.check_of) about_those.push_back(about(claim, method));
-      if (!claim.check_of && !options.names.empty()) {
-        throw BadInput{{"--methods", fmt::format("{}: {}", claim.name, kOfItsOwn)}};
-      }
+      const Result<Property> one = about(claim, method);
+      if (one) about_those.push_back(*one);
+      if (!one && !options.names.empty()) throw BadInput{{"--methods", one.error().message()}};
     }
   }
   return about_those;
@@ -248,7 +248,8 @@ std::vector<Property> chosen_properties(const CheckArguments& options,
 
 /// The find that an input is which somebody else has shrunk, as RapidCheck does.
 ClaimFind find_of(const Property& property, const Check& check, const ChoiceNumbers& choices) {
-  ClaimFind find(property, "", check.text, words_of(choices));
+  ClaimFind find(property, "", check.text,
+                 check_command(property.name, property.method, words_of(choices)));
   find.set_least({.numbers = choices, .check = check, .is_cut_short = true});
   return find;
 }
@@ -274,7 +275,7 @@ int check_choices(const CheckArguments& options, Session& session) {
                                name_of(check.status), fails && known_false ? " as expected" : "",
                                check.text.empty() ? "" : ": ", check.text));
   if (fails && !options.save.empty()) {
-    const SavedFind saved = need(save_find(options.save, find_of(property, check, numbers)));
+    const SavedClaim saved = need(save_claim(options.save, find_of(property, check, numbers)));
     if (!session.json) print_out(fmt::format("saved: {}\n", saved.path));
   }
   if (check.status == Check::Status::kDiscarded) {

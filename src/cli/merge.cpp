@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
-#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
 #include "cli/session.hpp"
 #include "eval/tables.hpp"
+#include "finds/claim_files.hpp"
 #include "finds/entries.hpp"
 #include "finds/intake.hpp"
 #include "io/output_file.hpp"
@@ -81,42 +80,6 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   return kDone;
 }
 
-/// The counts of a merge of inputs of claims.
-struct MergedClaims {
-  std::uint64_t entries = 0, taken = 0;
-  std::uint64_t without_input = 0;  ///< finds that did not fail again, which have no choices
-};
-
-/// Copies inputs of claims into a corpus (save_find), whose folder of them is made if there are
-/// any. An input that is there already stays as it is. known: all the properties that there are.
-/// Throws BadInput: of a folder or file; an entry of an unknown property, naming it.
-MergedClaims merge_claims(const std::vector<std::string>& files, const std::string& into,
-                          const std::vector<Property>& known) {
-  MergedClaims merged;
-  const std::string folder = claims_in(into);
-  std::set<std::pair<std::string, ChoiceNumbers>> inputs;  // in it
-  for (const std::string& path : need(cases_and_claims(into)).claims) {
-    inputs.insert(need(read_find(path)).input());
-  }
-  const auto take = [&](const ClaimFind& find, const std::string& name) {
-    if (inputs.contains(find.input())) return false;
-    const SavedFind saved = need(save_find(folder, find, name));
-    if (saved.replaced) inputs.erase(saved.replaced->input());
-    if (saved.is_new) inputs.insert(find.input());
-    return saved.is_new;
-  };
-  if (!files.empty()) need(make_writable_folder(folder));
-  for (const std::string& path : files) {
-    const ClaimFind find = need(read_find(path));
-    need_at(path + ": property", property_named(find.property, known));
-    ++merged.entries;
-    const bool has_input = find.shrunk != Shrunk::kNot;
-    if (!has_input) ++merged.without_input;
-    if (has_input && take(find, fs::path(path).stem())) ++merged.taken;
-  }
-  return merged;
-}
-
 int merge_corpora(const MergeOptions& options, Session& session) {
   const auto& [inputs, output] = options;
   Store store = need(Store::open(output));
@@ -136,7 +99,7 @@ int merge_corpora(const MergeOptions& options, Session& session) {
   }
   taken += need(intake.take_doubtful());
   const Intake::Settled& settled = intake.settled();
-  const MergedClaims claims = merge_claims(of_claims, output, session.properties);
+  const MergedClaims claims = need(merge_claims(of_claims, output, session.properties));
   const CorpusFiles now = need(cases_and_claims(output));
   if (session.json) {
     print_row([&](auto& row) {

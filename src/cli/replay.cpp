@@ -7,7 +7,6 @@
 
 #include "certify/oracle/body_depth.hpp"
 #include "cli/answer_row.hpp"
-#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
@@ -15,6 +14,7 @@
 #include "cli/session.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
+#include "finds/claim_files.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
 #include "hunt/ground.hpp"
@@ -169,18 +169,15 @@ class Replay {
     ServedClaims built_in(&catch_interrupts()), of_plugins(&catch_interrupts(), true);
     for (const std::string& path : files) {
       if (session_.interrupted()) return;
-      const ClaimFind find = need(read_find(path));
-      Property property =
+      const ClaimFind find = need(read_claim(path));
+      const Property claim =
           need_at(path + ": property", property_named(find.property, session_.properties));
-      if (!find.method.empty()) {
-        if (!property.check_of) throw BadInput{{path + ": method", kOfItsOwn}};
-        if (!is_admitted(find.method)) {
-          ++not_allowed_[find.method];
-          continue;
-        }
-        need_at(path + ": method", narrowed({}, {find.method}));
-        property = about(property, find.method);
+      const Property property = need_at(path + ": method", about(claim, find.method));
+      if (!find.method.empty() && !is_admitted(find.method)) {
+        ++not_allowed_[find.method];
+        continue;
       }
+      if (!find.method.empty()) need_at(path + ": method", narrowed({}, {find.method}));
       ServedClaims& served = names_plugin(find.method) ? of_plugins : built_in;
       const InputRun run = served.on(property, find.choices);
       if (run.error == "interrupted") return;
@@ -208,7 +205,7 @@ class Replay {
       if (!changed || !options_.update) continue;
       ClaimFind now = find;
       now.expect = got;
-      claims_.update(path, file_text(now), [&] { return need(read_find(path)) == find; });
+      claims_.update(path, file_text(now), [&] { return need(read_claim(path)) == find; });
     }
   }
 

@@ -8,11 +8,12 @@
 
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
-#include "cli/check_find.hpp"
+#include "cli/check_command.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "files/check_file.hpp"
+#include "finds/claim_files.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "hunt/served_claim.hpp"
@@ -243,18 +244,18 @@ class TriageRun {
     const InputRun run = served.on(property, input.choices);
     if (!run.fails()) return true;
     ++tally.failures;
-    ClaimFind find(property, run.error, run.check.text, words_of(input.choices));
+    ClaimFind find(property, run.error, run.check.text,
+                   check_command(property.name, property.method, words_of(input.choices)));
     if (is_known(find)) {
       ++tally.known;
       return true;
     }
     // A hang was put to these choices already, and another run costs all its time again.
-    const auto least =
-        run.error == "hang"
-            ? Counterexample{input.choices, run.check, 0, true}
-            : served.least(property, run, {kShrinkTries, [this] { return is_over(); }});
+    const auto least = run.error == "hang"
+                           ? Counterexample{input.choices, run.check, 0, true}
+                           : served.least(property, run, {.is_over = [this] { return is_over(); }});
     if (least) find.set_least(*least);
-    const SavedFind saved = need(save_find(claims_in(arguments_.output), find));
+    const SavedClaim saved = need(save_claim(claims_in(arguments_.output), find));
     if (!saved.is_new) {
       ++tally.known;
       return !is_over();
@@ -267,7 +268,7 @@ class TriageRun {
   /// Whether a find of this failure that is shrunk to the end is in the folder, or elsewhere.
   bool is_known(const ClaimFind& find) const {
     const auto is_in = [&](const std::string& folder) {
-      const auto saved = need(saved_find(claims_in(folder), find));
+      const auto saved = need(saved_claim(claims_in(folder), find));
       return saved && saved->is_complete();
     };
     return is_in(arguments_.output) || (!arguments_.known.empty() && is_in(arguments_.known));
@@ -285,7 +286,7 @@ class TriageRun {
       archive("property", find.property);
       archive("outcome", outcome);
       archive("text", fails_again ? find.text : find.found);
-      archive("reproduce", find.reproduce());
+      archive("reproduce", reproduction(find));
       archive("fails_again", fails_again);
       archive("cut_short", find.shrunk == Shrunk::kCutShort);
       archive("saved", path);

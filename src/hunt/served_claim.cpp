@@ -135,7 +135,7 @@ std::string served_check(const std::vector<Property>& claims, const std::string&
   const auto claim = std::ranges::find(claims, asked.claim, &Property::name);
   if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked.claim);
   if (!asked.method.empty()) admit(asked);
-  const Property property = asked.method.empty() ? *claim : about(*claim, asked.method);
+  const Property property = value_or_throw(about(*claim, asked.method));
   if (asked.of == "draws") return to_json(run_on_draws(property, asked.numbers));
   return to_json(run_on(property, asked));
 }
