@@ -40,7 +40,7 @@ Attempt trimmed_case;
 Attempt ends_case;
 
 /// separated.cpp: a regular or interior-time contact whose patch 1 is moved along the normal by the
-/// separation.
+/// separation. The normal's length is a whole number, so that its plane proves all times before.
 Attempt separated_case;
 
 /// bodies.cpp: two bodies that touch without depth, by t* at the latest: they move along the plane

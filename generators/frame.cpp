@@ -1,6 +1,7 @@
 #include "generators/frame.hpp"
 
 #include "generators/draw_patch.hpp"
+#include "generators/whole_frame.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
@@ -16,16 +17,16 @@ Planar difference(const Planar& a, const Planar& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
 
-}  // namespace
-
-PlaneFrame random_frame(Draw& draw) {
+/// With tangents that are drawn so.
+template <class DrawTangent>
+PlaneFrame frame_of(const DrawTangent& draw_tangent, Draw& draw) {
   PlaneFrame frame;
   const Vec3<Dyadic> zero = {Dyadic(), Dyadic(), Dyadic()};
   const auto normal = [](const auto& tangent) { return cross(tangent[0], tangent[1]); };
   frame.tangent = draw.until(
       [&] {
         std::array<Vec3<Dyadic>, 2> tangent;
-        for (Vec3<Dyadic>& t : tangent) t = exact_dyadic(draw_integers(draw, kFrameBound));
+        for (Vec3<Dyadic>& t : tangent) t = draw_tangent();
         return tangent;
       },
       [&](const auto& tangent) { return normal(tangent) != zero; });
@@ -35,6 +36,21 @@ PlaneFrame random_frame(Draw& draw) {
                          [&](const Vec3<Dyadic>& out) { return side(out) != 0; });
   if (side(frame.out) < 0) frame.out = -frame.out;
   return frame;
+}
+
+}  // namespace
+
+PlaneFrame random_frame(Draw& draw) {
+  return frame_of([&] { return exact_dyadic(draw_integers(draw, kFrameBound)); }, draw);
+}
+
+PlaneFrame whole_normal_frame(Draw& draw) {
+  const WholeFrame right = draw_right_angles(draw);
+  const auto draw_tangent = [&] {
+    const std::int64_t first = draw.integer(-2, 2), second = draw.integer(-2, 2);
+    return exact_dyadic(times_power(first * right.axes[0] + second * right.axes[1], 0));
+  };
+  return frame_of(draw_tangent, draw);
 }
 
 std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit, Draw& draw) {

@@ -14,6 +14,9 @@ struct PlaneFrame {
 inline constexpr int kFrameBound = 31;
 
 PlaneFrame random_frame(Draw& draw);
+/// One whose normal has a whole number as its length: its tangents are sums of two axes of a frame
+/// at right angles (whole_frame.hpp).
+PlaneFrame whole_normal_frame(Draw& draw);
 
 /// Coordinates on the frame's plane.
 using Planar = std::array<Dyadic, 2>;

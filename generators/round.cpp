@@ -134,15 +134,14 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
   Truth& truth = out.truth;
   truth.collides = true;
   truth.witness = witness;
-  if (!apart) {
-    MovingPlane plane{witness.t, {}, 0};
-    const Whole normal = -1 * frame.axes[2];
-    for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
-    plane.offset = static_cast<long>(dot(normal, frame(place))) * power_of_two(unit);
-    CCDFUZZ_VERIFY(check_clearance(out.query, plane, ""));
-    truth.clearance = plane;
-    truth.clear_until = plane.until;
-  }
+  MovingPlane plane{witness.t, {}, 0};
+  const Whole normal = -1 * frame.axes[2];
+  for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
+  const Whole at_second = frame(place + Whole{0, 0, gap});
+  plane.offset = static_cast<long>(dot(normal, at_second)) * power_of_two(unit);
+  CCDFUZZ_VERIFY(check_clearance(out.query, plane, ""));
+  truth.clearance = plane;
+  truth.clear_until = plane.until;
   CCDFUZZ_VERIFY(check_truth(out));
   return out;
 }

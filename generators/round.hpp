@@ -54,7 +54,7 @@ inline constexpr std::int64_t kPerProfile = 25;
 /// is no search's word: one is below a plane and the other above, and each moves with its side of
 /// it. Positions and velocities are whole numbers times a power of two, t* is a multiple of 1/8,
 /// and t_max is t* to twice as much. The truth is the witness, whose parameters are fractions, and
-/// the plane. apart: they meet at a separation > 0, which the query has, and there is no plane.
+/// the plane. apart: they meet at a separation > 0, which the query has and which is between them.
 Case draw_round_case(ContactClass contact, bool apart, Draw& draw);
 
 }  // namespace ccdfuzz

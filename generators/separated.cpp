@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "base/verify.hpp"
 #include "generators/elsewhere.hpp"
 #include "generators/exact_sum.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
 namespace ccdfuzz {
@@ -39,27 +39,26 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
 
 Attempted separated_case(const GeneratorOptions& options, Draw& draw) {
   const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  CCDFUZZ_TRY(Case made, plain_case(family, options, draw));
-  const auto* plane = std::get_if<MovingPlane>(&*made.truth.clearance);
-  CCDFUZZ_VERIFY(plane != nullptr);
+  PlacedScene placed = row_of(family).make(options.contact, shapes_of(options, draw), draw);
+  placed.placement.frame = whole_normal_frame(draw);
+  std::optional<Case> made = to_case(placed.scene, placed.placement, draw);
+  if (!made) return tl::unexpected(Discard::kRoundTrip);
+  const auto& plane = std::get<MovingPlane>(*made->truth.clearance);
   // From 2^-20 to 2^-8 of the size of the scene, as simulations keep meshes apart. The larger a
   // separation is, the more pairs of points are nearly as near as the nearest.
-  int exponent = size_exponent(made.query) - 1 - draw.integer(8, 20);
+  int exponent = size_exponent(made->query) - 1 - draw.integer(8, 20);
   Vec3<Dyadic> way;
   double longest = 0;
   for (int k = 0; k < 3; ++k) {
-    const std::optional<Dyadic> along = Dyadic::from(plane->normal[static_cast<std::size_t>(k)]);
+    const std::optional<Dyadic> along = Dyadic::from(plane.normal[static_cast<std::size_t>(k)]);
     if (!along) return tl::unexpected(Discard::kRoundTrip);
     way[k] = *along;
     longest = std::max(longest, std::abs(along->rational().get_d()));
   }
   exponent -= std::ilogb(longest);
   for (int k = 0; k < 3; ++k) way[k] = way[k].scaled(exponent);
-  if (!move_apart(made.query, way)) return tl::unexpected(Discard::kRoundTrip);
-  made.truth.clear_until.reset();
-  made.truth.clearance.reset();
-  made.truth.proof.reset();
-  return made;
+  if (!move_apart(made->query, way)) return tl::unexpected(Discard::kRoundTrip);
+  return as_asked(*std::move(made), options);
 }
 
 }  // namespace ccdfuzz

@@ -19,7 +19,8 @@ namespace {
 
 /// A plane, or a patch that it separates, with one thing changed. The plane is turned round, or
 /// later, or on the wrong side of a patch by less than any move. A patch or one of its corners is
-/// beyond the plane, or the patches do not come nearer. Round patches stay as they are.
+/// beyond the plane, or the patches do not come nearer. Round patches stay as they are. Those at a
+/// separation may have to be a float farther apart.
 void check_changed_plane(Draw& d) {
   const bool is_round = d.coin();
   std::vector<ContactClass> contacts(kContactClasses.begin(), kContactClasses.end());
@@ -29,13 +30,16 @@ void check_changed_plane(Draw& d) {
     });
   }
   const ContactClass contact = contacts[d.choose(contacts.size() - 1)];
-  Case changed = is_round ? draw_round_case(contact, false, d)
+  const bool apart = is_round && d.coin();
+  Case changed = is_round ? draw_round_case(contact, apart, d)
                           : supposed(to_case(touching(contact, {kQuadratic, kQuadratic}, d),
                                              random_placement(d), d));
   auto plane = std::get<MovingPlane>(*changed.truth.clearance);
   auto& patches = changed.query.patches;
   // The last three change the patches.
-  enum class Change : std::uint8_t { kNone, kOffset, kLater, kTurned, kSide, kCorner, kNotNearer };
+  enum class Change : std::uint8_t {
+    kNone, kFarther, kOffset, kLater, kTurned, kSide, kCorner, kNotNearer
+  };
   const Change last = is_round ? Change::kTurned : Change::kNotNearer;
   const auto change = static_cast<Change>(d.choose(static_cast<std::uint64_t>(last)));
   const std::uint64_t side = d.choose(1);
@@ -48,6 +52,9 @@ void check_changed_plane(Draw& d) {
   };
   switch (change) {
     case Change::kNone:
+      break;
+    case Change::kFarther:
+      changed.query.separation = std::nextafter(changed.query.separation, HUGE_VAL);
       break;
     case Change::kSide:
       for (Vec3<double>& p : patches[side].positions) move_beyond(p, little);
@@ -128,8 +135,8 @@ std::vector<Property> certificates_claims() {
          claim_judged_by_meaning(d, supposed(draw_contact(d, {-2, 2})));
        }},
       {"checker.refuses_changed_planes",
-       "A moving plane, also of round patches, is accepted, and refused once either patch, the "
-       "plane or its time was changed so that it proves nothing",
+       "A moving plane, also of round patches and at a separation, is accepted, and refused once "
+       "either patch, the plane, its time or the separation was changed so that it proves nothing",
        "src/certify/checker/check_plane.hpp", check_changed_plane},
       {"checker.refuses_changed_boxes",
        "A contact box is accepted iff its centre is near enough to the contact, it lies in the "

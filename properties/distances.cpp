@@ -8,6 +8,7 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/round.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
@@ -46,6 +47,28 @@ void check_trees(Draw& d) {
   const auto tree = supposed(build_miss_tree(nearer, t, is_round ? 3000 : 1000));
   CLAIM(check_tree(nearer, t, tree).has_value());
   CLAIM(!check_tree(drawn.query, t, tree));
+}
+
+/// A plane at right angles to the way between two points, which come towards each other, is refused
+/// iff the way is shorter than the separation. Its length is no rational number, mostly, and is
+/// compared with that as well as 61 bits can tell.
+void check_planes_of_points(Draw& d) {
+  Query query;
+  const Vec3<double> way = draw_integers(d, 31);
+  const Rational squared = exact(way.squaredNorm());
+  query.patches[0] = {Shape::point(), {way}, {-way}};
+  query.patches[1] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  query.separation = d.nudged(way.norm(), 2);
+  MovingPlane plane{0, {}, 0};
+  const Rational length = d.dyadic(8, -3).rational();
+  suppose(squared > 0 && length > 0);
+  for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = exact(way[static_cast<int>(k)]) * length;
+  show(d, "query", query);
+  show(d, "normal", plane.normal);
+  const Rational least = exact(query.separation) * exact(query.separation);
+  const bool is_accepted = check_plane(query, plane).has_value();
+  CLAIM(!is_accepted || least <= squared);
+  CLAIM(is_accepted || least * (1 + power_of_two(-60)) > squared);
 }
 
 /// Proofs that patches do not touch prove nothing of distances.
@@ -105,6 +128,9 @@ std::vector<Property> distances_claims() {
       {"separation.refuses_nearer",
        "A tree that proves a share of a distance, also of round patches, is no proof of all of it",
        "src/certify/checker/check_tree.hpp", check_trees},
+      {"separation.planes_of_points",
+       "A plane of two points is accepted iff they are no nearer than the separation, to 61 bits",
+       "src/certify/checker/check_plane.hpp", check_planes_of_points},
       {"separation.refuses_proofs_of_touching",
        "Planes and linear decisions, which prove that nothing touches, prove no distance",
        "src/certify/checker/check_plane.hpp", check_proofs_of_touching},

@@ -148,9 +148,15 @@ void check_generated(Draw& d) {
   }
 }
 
-/// The oracle proves no contact in a generated negative, nor before clear_until in a positive.
+/// The oracle proves no contact in a generated negative, nor before clear_until in a positive, also
+/// at a separation.
 void check_generated_clearance(Draw& d) {
-  const GeneratorOptions options = draw_regular_options(d);
+  GeneratorOptions options = draw_regular_options(d);
+  if (d.coin()) {
+    options.family = d.pick(std::array{Family::kApart, Family::kSeparated});
+    options.shapes.reset();
+    suppose(is_made(options.family, options.contact, options.kind));
+  }
   const Case made = show(d, "case", generate(options, 0).value);
   suppose(made.truth.clear_until.has_value());
   const Decision decision = decide(made.query, {.max_pops = 100, .max_tree_nodes = 200});

@@ -8,6 +8,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
+#include "generators/round.hpp"
 #include "properties/case_file.hpp"
 #include "properties/draw_trimmed.hpp"
 #include "properties/draw_weighted.hpp"
@@ -18,7 +19,7 @@ namespace ccdfuzz {
 namespace {
 
 /// A contact of plain, rational or trimmed patches that is known, and what the oracle says of the
-/// time before it.
+/// time before it. Or one at a separation, and the plane that it is planted with.
 struct ProvenContact {
   Case known;
   std::string tree;
@@ -26,13 +27,16 @@ struct ProvenContact {
 
 ProvenContact draw_proven_contact(Draw& choices) {
   ProvenContact out;
-  switch (choices.choose(2)) {
+  switch (choices.choose(3)) {
     case 0:
       out.known = supposed(draw_contact(choices, {-2, 2, 2}));
       break;
     case 1:
       out.known = case_of(draw_weighted_contact(choices));
       break;
+    case 2:
+      out.known = draw_round_case(ContactClass::kVF, true, choices);
+      return out;
     default:
       out.known = draw_trimmed_contact(choices);
   }

@@ -52,7 +52,8 @@ struct ContactRoot {
 };
 
 /// Certificate P: a plane that moves along with the patches and separates them at every t in the
-/// half-open [0, until). At t = until it is normal·x = offset.
+/// half-open [0, until). At t = until it is normal·x = offset. Patch 2 is behind it then, and patch
+/// 1 beyond it by the query's separation.
 struct MovingPlane {
   static constexpr bool closed = false;
   Rational until;

@@ -6,6 +6,7 @@
 
 #include "bezier/exact_patch.hpp"
 #include "certify/checker/abbreviated.hpp"
+#include "certify/checker/check_turning.hpp"
 #include "certify/checker/nonnegative.hpp"
 #include "numeric/products.hpp"
 
@@ -23,15 +24,16 @@ std::vector<Dyadic> along(const Vec3<Dyadic>& normal, const Points<Dyadic>& poin
   return out;
 }
 
-/// Charges for all of the check. Its numbers are sums of products of a number of the plane and a
-/// control point's, or up to three of those. At most 64 operations take a control point in.
-void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
+/// Charges for all that takes control points in, at most 64 operations for each. Its numbers are
+/// sums of the gap and of products of a number of the plane and a control point's, or up to three
+/// of those.
+void charge_for(const Query& query, const MovingPlane& plane, const Dyadic& gap, Work& work) {
   constexpr std::uint64_t kOperations = 64;
   constexpr std::uint64_t kDouble = 18;      // words of a double as a fraction
   constexpr std::uint64_t kDifference = 51;  // of two: 2,099 bits over 1,075
   std::uint64_t words = kDouble + (has_ends(query) ? kDifference : kDouble) +
                         (is_rational(query) ? kDouble : 0) + words_of(plane.until) +
-                        words_of(plane.offset);
+                        words_of(plane.offset) + words_of(gap);
   for (const Rational& n : plane.normal) words += words_of(n);
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
@@ -39,11 +41,6 @@ void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
 }
 
 Result<void> check_plane_within(const Query& query, const MovingPlane& plane, Work& work) {
-  charge_for(query, plane, work);
-  if (query.separation > 0) {
-    return refuse_plane(
-        fmt::format("a plane proves nothing of distances up to {}", query.separation));
-  }
   if (plane.until < 0)
     return refuse_plane(fmt::format("until: {} is negative", abbreviated(plane.until)));
   // In units of 1/unit all numbers of the plane are integers. Their signs are what counts.
@@ -53,20 +50,27 @@ Result<void> check_plane_within(const Query& query, const MovingPlane& plane, Wo
   const Dyadic all(unit, 0), until = in_units(plane.until), offset = in_units(plane.offset);
   Vec3<Dyadic> normal;
   for (int k = 0; k < 3; ++k) normal[k] = in_units(plane.normal[static_cast<size_t>(k)]);
+  // Patch 1 is to be beyond the plane by the separation, which is this much along the normal.
+  const Dyadic separation = Dyadic::exact(query.separation);
+  const Dyadic squared = separation * separation * dot(normal, normal);
+  const Dyadic gap = *Dyadic::from(root_above(squared.rational(), work));
+  charge_for(query, plane, gap, work);
   std::array<std::vector<Dyadic>, 2> rates;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Dyadic> patch = exact_patch<Dyadic>(query.patches[s]);
     rates[s] = along(normal, patch.velocities);
+    const Dyadic level = s == 0 ? offset + gap : offset;
     std::vector<Rational> heights;
     for (const Dyadic& start : along(normal, patch.positions)) {
-      const Dyadic height = all * (start - offset) + until * rates[s][heights.size()];
+      const Dyadic height = all * (start - level) + until * rates[s][heights.size()];
       heights.push_back((s == 0 ? height : -height).rational());
     }
     // With weights > 0 the height is ≥ 0 where its numerator is, the sum of these times B.
     for (size_t i = 0; i < patch.weights.size(); ++i) heights[i] *= patch.weights[i].rational();
     if (!is_nonnegative(patch.shape, heights, &work)) {
-      return refuse_plane(
-          fmt::format("patches[{}] is not known to be on its side of the plane", s));
+      return refuse_plane(fmt::format(
+          "patches[{}] is not known to be on its side of the plane{}", s,
+          s == 0 && query.separation > 0 ? fmt::format(" by {}", query.separation) : ""));
     }
   }
   if (*std::max_element(rates[0].begin(), rates[0].end()) >=

@@ -59,13 +59,12 @@ bool is_readable(const Rational& x) {
 
 std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness) {
   std::array<std::vector<Vector>, 2> tangent;
-  std::array<Vector, 2> velocity;
-  Vector contact;
+  std::array<Vector, 2> velocity, point;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
     tangent[s] = tangents(query.patches[s], witness.uv[s], witness.t);
     velocity[s] = evaluate<Rational>(patch.shape, patch.velocities, patch.weights, witness.uv[s]);
-    if (s == 0) contact = evaluate<Rational>(patch, witness.uv[s], witness.t);
+    point[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
   }
   const Vector approach = velocity[0] - velocity[1];
   std::vector<Vector> normals;
@@ -76,11 +75,12 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
     for (const Vector& b : tangent[1]) normals.push_back(cross(a, b));
   }
   normals.push_back(approach);
+  normals.emplace_back(point[0] - point[1]);
   for (Vector& n : normals) {
     const Rational rate = dot(n, approach);
     if (rate == 0) continue;
     if (rate > 0) n = -n;  // patch 1, on the normal's side, comes from there
-    const MovingPlane plane{witness.t, {n[0], n[1], n[2]}, dot(n, contact)};
+    const MovingPlane plane{witness.t, {n[0], n[1], n[2]}, dot(n, point[1])};
     if (check_plane(query, plane)) return plane;
   }
   return std::nullopt;
@@ -95,14 +95,14 @@ std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {1, -1}) normals.emplace_back(0, 0, 0)[k] = sign;
   }
-  const MovingPatch<Rational> above = exact_patch<Rational>(query.patches[0]);
+  const MovingPatch<Rational> behind = exact_patch<Rational>(query.patches[1]);
   for (const Vector& n : normals) {
     std::vector<Rational> heights;
-    for (size_t i = 0; i < above.positions.size(); ++i) {
-      heights.push_back(dot(n, Vector(above.positions[i] + above.velocities[i] * until)));
+    for (size_t i = 0; i < behind.positions.size(); ++i) {
+      heights.push_back(dot(n, Vector(behind.positions[i] + behind.velocities[i] * until)));
     }
     plane.normal = {n[0], n[1], n[2]};
-    plane.offset = *std::min_element(heights.begin(), heights.end());
+    plane.offset = *std::max_element(heights.begin(), heights.end());
     if (is_readable(plane.offset) && check_plane(query, plane)) return plane;
   }
   return std::nullopt;

@@ -121,7 +121,7 @@ class Deciding {
       clear_ = query_.t_max;
     }
     const auto& witness = out_.truth.witness;
-    if (witness && witness->t > 0 && query_.separation == 0) {
+    if (witness && witness->t > 0) {
       if (auto plane = find_plane(query_, *witness)) {
         out_.truth.clearance = *plane;
         return;
