@@ -38,7 +38,14 @@ void check_changed_plane(Draw& d) {
   auto& patches = changed.query.patches;
   // The last three change the patches.
   enum class Change : std::uint8_t {
-    kNone, kFarther, kOffset, kLater, kTurned, kSide, kCorner, kNotNearer
+    kNone,
+    kFarther,
+    kOffset,
+    kLater,
+    kTurned,
+    kSide,
+    kCorner,
+    kNotNearer
   };
   const Change last = is_round ? Change::kTurned : Change::kNotNearer;
   const auto change = static_cast<Change>(d.choose(static_cast<std::uint64_t>(last)));
