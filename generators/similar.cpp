@@ -1,5 +1,6 @@
 #include "generators/similar.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "generators/exact_sum.hpp"
@@ -93,6 +94,41 @@ std::optional<Case> similar(const Case& value, const Similarity& change) {
   }
   out.expect.clear();
   return out;
+}
+
+std::optional<Query> begun_at(Query query, const Rational& t) {
+  if (has_turns(query) || has_ends(query)) return std::nullopt;
+  for (MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        double& x = patch.positions[i][k];
+        const auto moved = to_double_exactly(exact(x) + exact(patch.velocity(i)[k]) * t);
+        if (!moved) return std::nullopt;
+        x = *moved;
+      }
+    }
+  }
+  return query;
+}
+
+Query swapped(const Query& query) {
+  Query out = query;
+  std::swap(out.patches[0], out.patches[1]);
+  return out;
+}
+
+Query on_other_axes(Query query, int by, std::optional<int> mirrored) {
+  const auto move = [&](auto& v) { std::rotate(v.begin(), v.begin() + by, v.end()); };
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.velocities, &patch.ends}) {
+      for (Vec3<double>& p : *points) {
+        move(p);
+        if (mirrored) p[*mirrored] = 0 - p[*mirrored];
+      }
+    }
+    if (patch.turn) move(patch.turn->centre), move(patch.turn->spin);
+  }
+  return query;
 }
 
 }  // namespace ccdfuzz

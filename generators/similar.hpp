@@ -24,4 +24,16 @@ std::optional<Query> similar(const Query& query, const Similarity& change);
 /// if any number of it is not a double then.
 std::optional<Case> similar(const Case& value, const Similarity& change);
 
+/// The query from where it is at t; t_max stays. nullopt where that rounds, or the query has ends
+/// or turns.
+std::optional<Query> begun_at(Query query, const Rational& t);
+
+/// The patches in the other order.
+Query swapped(const Query& query);
+
+/// Each point's coordinates moved on by `by` places, and then that of one axis negated, if any is
+/// given. Requires that no body turns by quaternions, and none at all in a mirror, where no mesh is
+/// one-sided.
+Query on_other_axes(Query query, int by, std::optional<int> mirrored = {});
+
 }  // namespace ccdfuzz

@@ -10,6 +10,7 @@
 #include "files/case_json.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/similar.hpp"
 #include "method/method.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "properties/show.hpp"
@@ -17,16 +18,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-void turn_axes(Query& query, int by) {
-  const auto permute = [&](auto& v) { std::rotate(v.begin(), v.begin() + by, v.end()); };
-  for (MovingPatch<double>& body : query.patches) {
-    for (auto* points : {&body.positions, &body.velocities}) {
-      for (Vec3<double>& p : *points) permute(p);
-    }
-    if (body.turn) permute(body.turn->centre), permute(body.turn->spin);
-  }
-}
 
 void reorder_mesh(MovingPatch<double>& mesh, const Vec3<double>& elsewhere, Draw& d) {
   for (Face& face : mesh.faces) {
@@ -43,7 +34,7 @@ void reorder_mesh(MovingPatch<double>& mesh, const Vec3<double>& elsewhere, Draw
 }
 
 Query given_otherwise(Query query, Draw& d) {
-  if (d.coin()) std::swap(query.patches[0], query.patches[1]);
+  if (d.coin()) query = swapped(query);
   const int in_space = d.integer(-8, 8);
   for (MovingPatch<double>& body : query.patches) {
     const int length = d.integer(-8, 8);
@@ -58,7 +49,7 @@ Query given_otherwise(Query query, Draw& d) {
     }
   }
   query.separation = std::ldexp(query.separation, in_space);
-  if (has_spins(query)) turn_axes(query, d.integer(0, 2));
+  if (has_spins(query)) query = on_other_axes(std::move(query), d.integer(0, 2));
   if (!has_mesh(query)) return query;
   const std::size_t side = mesh_side(query);
   reorder_mesh(query.patches[side], query.patches[1 - side].positions[0], d);

@@ -2,6 +2,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "generators/draw_contact.hpp"
+#include "generators/similar.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 
@@ -118,14 +119,7 @@ void check_claims_of_case(Draw& d) {
 
 /// The same motion from another time on. Discarded if it takes numbers that no double holds.
 void begin_at(Case& moving, const Rational& start) {
-  for (MovingPatch<double>& patch : moving.query.patches) {
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const Rational moved = exact(patch.positions[i][k]) + start * exact(patch.velocities[i][k]);
-        patch.positions[i][k] = supposed(to_double_exactly(moved));
-      }
-    }
-  }
+  moving.query = supposed(begun_at(moving.query, start));
   if (moving.truth.witness) moving.truth.witness->t -= start;
   if (moving.truth.clearance) std::get<MovingPlane>(*moving.truth.clearance).until -= start;
 }
