@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/elsewhere.hpp"
-#include "generators/shaped/features.hpp"
+#include "generators/shaped/contact_scene.hpp"
 
 namespace ccdfuzz {
 
@@ -17,49 +18,41 @@ namespace {
 constexpr int kContactUvBits = 2;
 constexpr int kTwinUlps = 2;
 
-/// For each control point, whether its Bernstein weight at uv is not 0.
-std::vector<bool> bearing_controls(const Shape& shape, const Uv<Dyadic>& uv) {
+/// For each control point, whether its Bernstein weight at the contact is not 0.
+std::vector<bool> bearing_controls(const ContactSide& side) {
   std::vector<bool> bearing;
-  for_each_control(shape, [&](int i, int j) { bearing.push_back(bears(shape, uv, i, j)); });
+  for_each_control(side.shape,
+                   [&](int i, int j) { bearing.push_back(bears(side.shape, side.at, i, j)); });
   return bearing;
 }
 
-/// Control points at the moment of contact and velocities, in the frame and relative to the
-/// contact.
-struct Side {
-  Shape shape;
-  Uv<Dyadic> uv;
-  std::vector<bool> bearing;
-  Points<Dyadic> local;
-  Points<Dyadic> velocity;
-};
-
 /// Patch 1 is to lie above the plane, patch 2 below.
-Side draw_side(Draw& choices, const ContactRange& range, std::size_t place) {
+ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t place) {
   constexpr int kSpeedBits = 5;
   constexpr long kSpeedUnit = -3;
   const long unit = 3 - range.coordinate_bits;
   const Dyadic outward(place == 0 ? 1 : -1);
-  Side side;
+  ContactSide side;
   side.shape = range.shapes ? range.shapes->at(place) : draw_shape(choices, range.max_degree);
-  side.uv = draw_uv(choices, side.shape, kContactUvBits);
-  side.bearing = bearing_controls(side.shape, side.uv);
-  side.local = draw_points(choices, side.shape, range.coordinate_bits, unit);
-  side.velocity = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
+  side.at = draw_uv(choices, side.shape, kContactUvBits);
+  side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
+  side.rates = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
+  const std::vector<bool> bearing = bearing_controls(side);
   const bool one_sided = !choices.coin();
-  for (std::size_t i = 0; one_sided && i < side.local.size(); ++i) {
-    side.local[i][2] = side.bearing[i] ? Dyadic() : outward * abs(side.local[i][2]);
-    side.velocity[i][2] = -outward * abs(side.velocity[i][2]);
+  for (std::size_t i = 0; one_sided && i < side.points.size(); ++i) {
+    side.points[i][2] = bearing[i] ? Dyadic() : outward * abs(side.points[i][2]);
+    side.rates[i][2] = -outward * abs(side.rates[i][2]);
   }
-  const Vec3<Dyadic> at_contact = evaluate<Dyadic>(side.shape, side.local, side.uv);
-  for (Vec3<Dyadic>& p : side.local) p -= at_contact;
+  const Vec3<Dyadic> at_contact = evaluate<Dyadic>(side.shape, side.points, side.at);
+  for (Vec3<Dyadic>& p : side.points) p -= at_contact;
   return side;
 }
 
 /// Makes some control points that do not bear on the contact almost equal to the one before.
-void draw_twins(Draw& choices, const Side& side, MovingPatch<double>& patch) {
+void draw_twins(Draw& choices, const ContactSide& side, MovingPatch<double>& patch) {
+  const std::vector<bool> bearing = bearing_controls(side);
   for (std::size_t i = 1; i < patch.positions.size(); ++i) {
-    if (side.bearing[i] || !choices.coin()) continue;
+    if (bearing[i] || !choices.coin()) continue;
     for (int k = 0; k < 3; ++k) {
       patch.positions[i][k] = choices.nudged(patch.positions[i - 1][k], kTwinUlps);
       patch.velocities[i][k] = choices.nudged(patch.velocities[i - 1][k], kTwinUlps);
@@ -89,37 +82,33 @@ Result<void> validate(const ContactRange& range) {
 }
 
 Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
-  const long scale = choices.integer(range.lowest, range.highest);
-  // Two directions of the contact plane, and one out of it.
-  const Columns frame = draw_columns(choices, 2);
-  Vec3<Dyadic> contact, common;
+  Placement placement;
+  placement.exponent.fill(choices.integer(range.lowest, range.highest));
+  placement.frame = draw_frame_near_axes(choices, 2);
+  Vec3<Dyadic> contact;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
   const long common_exponent = choices.integer(-3, 12);
-  for (int k = 0; k < 3; ++k) common[k] = choices.dyadic(3, common_exponent);
+  for (int k = 0; k < 3; ++k) placement.drift[k] = choices.dyadic(3, common_exponent);
   Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
   if (range.off_grid) {
     const Dyadic off(choices.integer(-7, 7), -43);
     t = abs(t + off);
   }
+  placement.shift = contact - placement.drift * t;
 
   Case drawn;
   drawn.truth.collides = true;
   drawn.truth.witness.emplace();
   drawn.truth.witness->t = t.rational();
   for (std::size_t s = 0; s < 2; ++s) {
-    const Side side = draw_side(choices, range, s);
-    MovingPatch<double>& patch = drawn.query.patches[s];
-    patch.shape = side.shape;
-    Points<Dyadic> positions, velocities;
-    for (std::size_t i = 0; i < side.local.size(); ++i) {
-      const Vec3<Dyadic> v = common + frame * side.velocity[i];
-      velocities.push_back(v);
-      positions.push_back(contact + frame * side.local[i] - v * t);
-    }
-    CCDFUZZ_TRY(patch.positions, scaled_doubles(positions, scale));
-    CCDFUZZ_TRY(patch.velocities, scaled_doubles(velocities, scale));
-    if (choices.coin()) draw_twins(choices, side, patch);
-    drawn.truth.witness->uv[s] = {side.uv[0].rational(), side.uv[1].rational()};
+    const ContactSide side = draw_side(choices, range, s);
+    MovingPatch<Dyadic> exactly = placed(side, placement, t);
+    exactly.positions = exactly.at(-t);
+    auto patch = to_doubles(exactly);
+    if (!patch) return input_error("", "a number is not a double");
+    if (choices.coin()) draw_twins(choices, side, *patch);
+    drawn.query.patches[s] = *std::move(patch);
+    drawn.truth.witness->uv[s] = {side.at[0].rational(), side.at[1].rational()};
   }
   const double t_contact = *t.to_double_exactly();
   drawn.query.t_max =

@@ -32,25 +32,6 @@ Vec3<double> draw_integers(Draw& choices, std::int64_t most) {
   return v;
 }
 
-Columns draw_columns(Draw& choices, std::int64_t most) {
-  Columns columns;
-  for (int k = 0; k < 3; ++k) {
-    Vec3<Dyadic>& column = columns[static_cast<std::size_t>(k)];
-    column = exact_dyadic(draw_integers(choices, most));
-    column[k] += Dyadic(1);
-  }
-  return columns;
-}
-
-Result<Points<double>> scaled_doubles(Points<Dyadic> points, long scale) {
-  for (Vec3<Dyadic>& p : points) {
-    for (Dyadic& x : p) x = x.scaled(scale);
-  }
-  const std::optional<Points<double>> doubles = to_doubles(points);
-  if (!doubles) return input_error("", "a number is not a double");
-  return *doubles;
-}
-
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent) {
   Points<Dyadic> points(static_cast<std::size_t>(shape.control_count()));
   for (Vec3<Dyadic>& p : points) {

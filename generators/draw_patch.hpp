@@ -21,18 +21,8 @@ Shape draw_surface(Draw& choices, int max_degree);
 /// Three whole numbers from −most to most.
 Vec3<double> draw_integers(Draw& choices, std::int64_t most);
 
-/// The three axes, each of them off by such a vector.
-using Columns = std::array<Vec3<Dyadic>, 3>;
-Columns draw_columns(Draw& choices, std::int64_t most);
-inline Vec3<Dyadic> operator*(const Columns& columns, const Vec3<Dyadic>& v) {
-  return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2];
-}
-
 /// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent);
-
-/// The points times 2^scale. Errors: a number is no double then.
-Result<Points<double>> scaled_doubles(Points<Dyadic> points, long scale);
 
 /// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
 Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);

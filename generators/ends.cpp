@@ -4,25 +4,9 @@
 
 #include "base/double_parts.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/exact_sum.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
 namespace ccdfuzz {
-
-namespace {
-
-bool give_exact_ends(MovingPatch<double>& patch) {
-  patch.ends = patch.positions;
-  for (std::size_t i = 0; i < patch.ends.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      if (!add_exactly(patch.ends[i][k], patch.velocity(i)[k])) return false;
-    }
-  }
-  patch.velocities.clear();
-  return true;
-}
-
-}  // namespace
 
 std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarity, 2>* changes) {
   const int size = parts_of(query.patches[0].positions[0].cwiseAbs().maxCoeff()).top();
@@ -57,9 +41,9 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
 Attempted ends_case(const GeneratorOptions& options, Draw& draw) {
   const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
   CCDFUZZ_TRY(Case made, plain_case(family, options, draw));
-  for (MovingPatch<double>& patch : made.query.patches) {
-    if (!give_exact_ends(patch)) return tl::unexpected(Discard::kRoundTrip);
-  }
+  const Query plain = made.query;
+  for (MovingPatch<double>& patch : made.query.patches) give_rounded_ends(patch);
+  if (with_velocities(made.query) != plain) return tl::unexpected(Discard::kRoundTrip);
   std::array<Similarity, 2> changes;
   const std::optional<Query> query = parted(made.query, draw, &changes);
   if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);

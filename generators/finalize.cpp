@@ -9,11 +9,9 @@ namespace ccdfuzz {
 std::optional<Query> to_query(const Scene& scene) {
   Query query;
   for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<Dyadic>& patch = scene.patches[s];
-    const auto positions = to_doubles(patch.positions);
-    const auto velocities = to_doubles(patch.velocities);
-    if (!positions || !velocities) return std::nullopt;
-    query.patches[s] = {patch.shape, *positions, *velocities};
+    const auto patch = to_doubles(scene.patches[s]);
+    if (!patch) return std::nullopt;
+    query.patches[s] = *patch;
   }
   const std::optional<double> t_max = scene.t_max.to_double_exactly();
   if (!t_max) return std::nullopt;

@@ -11,7 +11,7 @@ namespace ccdfuzz {
 namespace {
 
 Vec3<Dyadic> contact_velocity(const Scene& scene, size_t s) {
-  return weighted_sum(bernstein_weights(scene.contact.x[s]), scene.patches[s].velocities);
+  return point_at(scene.patches[s].velocities, scene.contact.x[s]);
 }
 
 /// A normal N that separates the patches at t* to first order and along which they approach each
@@ -28,8 +28,7 @@ std::optional<Vec3<Dyadic>> approach_normal(const Scene& scene) {
 /// With this normal, through the contact at t* and moving along with the patches.
 MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal) {
   const Dyadic& t = scene.contact.t;
-  const Vec3<Dyadic> contact =
-      weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(t));
+  const Vec3<Dyadic> contact = point_at(scene.patches[0].at(t), scene.contact.x[0]);
   return {t.rational(),
           {normal[0].rational(), normal[1].rational(), normal[2].rational()},
           dot(normal, contact).rational()};

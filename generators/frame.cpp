@@ -53,12 +53,23 @@ PlaneFrame whole_normal_frame(Draw& draw) {
   return frame_of(draw_tangent, draw);
 }
 
-std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit, Draw& draw) {
+PlaneFrame draw_frame_near_axes(Draw& draw, std::int64_t most) {
+  PlaneFrame frame;
+  int k = 0;
+  for (Vec3<Dyadic>* axis : {&frame.tangent[0], &frame.tangent[1], &frame.out}) {
+    *axis = exact_dyadic(draw_integers(draw, most));
+    (*axis)[k++] += Dyadic(1);
+  }
+  return frame;
+}
+
+std::array<Planar, 6> tangential_part(const Barycentric& x, long unit, Draw& draw) {
+  const std::vector<Dyadic> weights = bernstein_weights(x);
   const auto corner = draw.until(
       [&] {
         std::array<Planar, 3> c;
         for (Planar& p : c) {
-          for (Dyadic& x : p) x = draw.lattice(kTangentBits, unit);
+          for (Dyadic& along : p) along = draw.lattice(kTangentBits, unit);
         }
         return c;
       },

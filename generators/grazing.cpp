@@ -122,10 +122,10 @@ std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 
   const int up = largest_component(plane.normal);
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (size_t s = 0; s < 2; ++s) {
-    const std::array<Dyadic, 6> weights = bernstein_weights(contact.x[s]);
+    const std::vector<Dyadic> weights = bernstein_weights(contact.x[s]);
     Points<Dyadic> rates;
     for (size_t i = 0; i < 6; ++i) rates.push_back(within(plane, draw));
-    const Vec3<Dyadic> mean = weighted_sum(weights, rates);
+    const Vec3<Dyadic> mean = point_at(rates, contact.x[s]);
     const int towards = (s == 0 ? -1 : 1) * plane.normal[up].sign();
     MovingPatch<Dyadic>& patch = patches[s];
     patch = {kQuadratic, points[s], rates};
@@ -137,8 +137,8 @@ std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 
         const Dyadic speed = abs(draw.lattice(kSpeedBits, kSpeedUnit));
         v[up] += towards > 0 ? speed : -speed;
       }
-      patch.positions[i] -= v * contact.t;
     }
+    patch.positions = patch.at(-contact.t);
   }
   return patches;
 }

@@ -13,7 +13,7 @@ Points<Dyadic> deformation(const Barycentric& x, Draw& draw) {
   const int stiffness = draw.integer(0, kMaxStiffness);
   Points<Dyadic> rates;
   for (size_t i = 0; i < 6; ++i) rates.push_back(draw.vector(kSpeedBits - stiffness, kSpeedUnit));
-  const Vec3<Dyadic> mean = weighted_sum(bernstein_weights(x), rates);
+  const Vec3<Dyadic> mean = point_at(rates, x);
   for (Vec3<Dyadic>& r : rates) r -= mean;
   return rates;
 }
@@ -32,10 +32,8 @@ std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>
     if (restricted && dot(normal, speed).sign() * wanted < 0) speed = -speed;
     MovingPatch<Dyadic>& patch = patches[s];
     patch = {kQuadratic, points[s], deformation(contact.x[s], draw)};
-    for (size_t i = 0; i < 6; ++i) {
-      patch.velocities[i] += speed;
-      patch.positions[i] -= patch.velocities[i] * contact.t;
-    }
+    for (Vec3<Dyadic>& v : patch.velocities) v += speed;
+    patch.positions = patch.at(-contact.t);
   }
   return patches;
 }

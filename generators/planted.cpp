@@ -32,19 +32,17 @@ Case planted_case(ContactClass contact, Draw& draw) {
   q.t = Dyadic(draw.integer(1, 8), -3);
   const Vec3<Dyadic> point = draw.vector(kPlantedBits, kPlantedUnit);
   for (size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = q.query.patches[s];
-    patch.shape = any_surface(draw);
+    MovingPatch<Dyadic> patch{any_surface(draw), {}, {}};
     q.uv[s] = point_on(features[s], patch.shape, kParameterBits, draw);
-    Points<Dyadic> positions, velocities;
     for (int i = 0; i < patch.shape.control_count(); ++i) {
-      positions.push_back(draw.vector(kPlantedBits, kPlantedUnit));
-      velocities.push_back(draw.vector(kPlantedBits, kPlantedUnit));
+      patch.positions.push_back(draw.vector(kPlantedBits, kPlantedUnit));
+      patch.velocities.push_back(draw.vector(kPlantedBits, kPlantedUnit));
     }
     // What stands in positions is where they are at t*.
-    const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(patch.shape, positions, q.uv[s]);
-    for (size_t i = 0; i < positions.size(); ++i) positions[i] += to_point - velocities[i] * q.t;
-    patch.positions = to_doubles(positions).value();
-    patch.velocities = to_doubles(velocities).value();
+    const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(patch.shape, patch.positions, q.uv[s]);
+    for (Vec3<Dyadic>& p : patch.positions) p += to_point;
+    patch.positions = patch.at(-q.t);
+    q.query.patches[s] = to_doubles(patch).value();
   }
   CCDFUZZ_VERIFY(check_witness(q.query, q.witness()));
   Case out = case_of(q);

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "bezier/patch.hpp"
+#include "bezier/bernstein.hpp"
+#include "bezier/blossom.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -26,21 +27,14 @@ constexpr size_t control_of(int a, int b) {
   return place[static_cast<size_t>(a)][static_cast<size_t>(b)];
 }
 
-/// The Bernstein weights of the six control points at x; they sum to 1.
-inline std::array<Dyadic, 6> bernstein_weights(const Barycentric& x) {
-  std::array<Dyadic, 6> weights;
-  for (size_t i = 0; i < 6; ++i) {
-    const auto [a, b] = kCornerPairs[i];
-    weights[i] = (x[a] * x[b]).scaled(a == b ? 0 : 1);
-  }
-  return weights;
+/// The Bernstein weights of the six control points at x.
+inline std::vector<Dyadic> bernstein_weights(const Barycentric& x) {
+  return bernstein_weights<Dyadic>(kQuadratic, {x[0], x[1]});
 }
 
-inline Vec3<Dyadic> weighted_sum(const std::array<Dyadic, 6>& weights,
-                                 const Points<Dyadic>& points) {
-  Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
-  for (size_t i = 0; i < 6; ++i) sum += points[i] * weights[i];
-  return sum;
+/// The patch's point at x.
+inline Vec3<Dyadic> point_at(const Points<Dyadic>& points, const Barycentric& x) {
+  return evaluate<Dyadic>(kQuadratic, points, {x[0], x[1]});
 }
 
 /// The place of the largest magnitude; the first of equal ones.

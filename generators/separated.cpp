@@ -2,26 +2,13 @@
 
 #include <cmath>
 
+#include "certify/oracle/rational_roots.hpp"
 #include "generators/elsewhere.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
 namespace ccdfuzz {
-
-namespace {
-
-/// The least double whose square is no less.
-double double_above_root(const Rational& squared) {
-  double root = std::sqrt(round_up(squared));
-  while (exact(root) * exact(root) < squared) root = std::nextafter(root, HUGE_VAL);
-  while (exact(std::nextafter(root, 0)) * exact(std::nextafter(root, 0)) >= squared) {
-    root = std::nextafter(root, 0);
-  }
-  return root;
-}
-
-}  // namespace
 
 bool move_apart(Query& query, const Vec3<Dyadic>& way) {
   Rational squared = 0;
@@ -33,7 +20,7 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
       if (!add_exactly(p[k], *by)) return false;
     }
   }
-  query.separation = double_above_root(squared);
+  query.separation = round_up(root_above(squared));
   return true;
 }
 

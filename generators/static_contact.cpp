@@ -69,8 +69,7 @@ std::array<Points<Dyadic>, 2> static_contact(const std::array<Barycentric, 2>& x
   if (feature_at(x[1]) == Feature::kFace && feature_at(x[0]) != Feature::kCorner) {
     for (size_t s = 0; s < 2; ++s) make_tangent(points[s], x[s], plane);
   }
-  const Vec3<Dyadic> gap = weighted_sum(bernstein_weights(x[0]), points[0]) -
-                           weighted_sum(bernstein_weights(x[1]), points[1]);
+  const Vec3<Dyadic> gap = point_at(points[0], x[0]) - point_at(points[1], x[1]);
   for (Vec3<Dyadic>& p : points[1]) p += gap;
   return points;
 }

@@ -78,7 +78,7 @@ MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, co
                                Draw& draw) {
   const int corner = twin_corner(x, draw);
   const bool in_contact = feature_at(x) == Feature::kFace;
-  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -14, draw);
+  const std::array<Planar, 6> tau = tangential_part(x, -14, draw);
   const Vec3<Dyadic> origin = draw.vector(12, -8);
   const NormalMotion slow = normal_motion(Role::kSlow, draw);
   const NormalMotion twin = normal_motion(Role::kTwin, draw);
@@ -89,8 +89,9 @@ MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, co
     const Role role = role_of(a, b, corner, feature_at(x) == Feature::kCorner);
     const NormalMotion& m = role == Role::kSlow ? slow : role == Role::kTwin ? twin : fast;
     patch.velocities[i] = frame.out * m.speed;
-    patch.positions[i] = origin + point_of(frame, tau[i], m.height) - patch.velocities[i] * t;
+    patch.positions[i] = origin + point_of(frame, tau[i], m.height);
   }
+  patch.positions = patch.at(-t);
   const size_t original = control_of(corner, (corner + 1) % 3);
   const size_t copy = control_of(corner, (corner + 2) % 3);
   if (!in_contact && draw.coin()) patch.positions[copy] = patch.positions[original];
@@ -101,13 +102,11 @@ MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, co
 /// A small flat patch with one velocity, its point x at `contact` at time t.
 MovingPatch<Dyadic> sweeping_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
                                    const Vec3<Dyadic>& contact, Draw& draw) {
-  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, draw);
+  const std::array<Planar, 6> tau = tangential_part(x, -18, draw);
   const Dyadic speed(draw.integer(512, 1024), kStep);
-  MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
-  for (size_t i = 0; i < 6; ++i) {
-    patch.velocities[i] = frame.out * speed;
-    patch.positions[i] = contact + point_of(frame, tau[i], Dyadic()) - patch.velocities[i] * t;
-  }
+  MovingPatch<Dyadic> patch{kQuadratic, {}, Points<Dyadic>(6, frame.out * speed)};
+  for (const Planar& p : tau) patch.positions.push_back(contact + point_of(frame, p, Dyadic()));
+  patch.positions = patch.at(-t);
   return patch;
 }
 
@@ -124,8 +123,7 @@ Scene twin_scene(ContactClass contact, Draw& draw) {
   scene.contact.t = halves_only ? Dyadic(1, -1) : Dyadic(draw.integer(5, 7), -3);
   for (size_t s = 0; s < 2; ++s) scene.contact.x[s] = prescribe_in_parent(features[s], draw);
   scene.patches[0] = twin_patch(frame, scene.contact.x[0], scene.contact.t, draw);
-  const Vec3<Dyadic> point =
-      weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(scene.contact.t));
+  const Vec3<Dyadic> point = point_at(scene.patches[0].at(scene.contact.t), scene.contact.x[0]);
   scene.patches[1] = sweeping_patch(frame, scene.contact.x[1], scene.contact.t, point, draw);
   return scene;
 }

@@ -65,14 +65,11 @@ std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
   return out;
 }
 
-std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most) {
-  std::vector<int> exponents(count);
-  for (int& e : exponents) e = draw.integer(-most, most);
-  return exponents;
-}
-
-bool pull_by_weights(Contact& q, size_t side, const std::vector<int>& exponents) {
+bool pull_by_weights(Draw& draw, Contact& q, size_t side, int most) {
   MovingPatch<double>& patch = q.query.patches[side];
+  std::vector<int> exponents(patch.positions.size());
+  for (int& e : exponents) e = draw.integer(-most, most);
+  if (exponents.size() == 1) return true;
   const auto contact = divided(q.point(side), q.weight(side));
   if (!contact) return false;
   if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
@@ -94,6 +91,7 @@ bool pull_by_weights(Contact& q, size_t side, const std::vector<int>& exponents)
 
 void draw_free_weights(Draw& draw, Contact& q, size_t side) {
   MovingPatch<double>& patch = q.query.patches[side];
+  if (patch.weights.empty()) return;  // of a point
   const std::vector<Dyadic> at_contact = q.weights(side);
   const std::vector<double> weights = draw_patch_weights(draw, patch.weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -112,17 +110,13 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
     patch.shape = shapes[s];
     const auto count = static_cast<std::size_t>(patch.shape.control_count());
     if (draw.choose(3) != 3) patch.weights = draw_patch_weights(draw, count);
-    const Points<Dyadic> places = draw_balanced(draw, q.weights(s));
-    Points<Dyadic> positions(count), velocities(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      velocities[i] = draw.vector(4, -2);
-      for (int k = 0; k < 3; ++k) positions[i][k] = places[i][k] - q.t * velocities[i][k];
-    }
-    const auto exact_positions = to_doubles(positions);
-    const auto exact_velocities = to_doubles(velocities);
-    if (!exact_positions || !exact_velocities) return std::nullopt;
-    patch.positions = *exact_positions;
-    patch.velocities = *exact_velocities;
+    MovingPatch<Dyadic> exactly{patch.shape, draw_balanced(draw, q.weights(s)), {}};
+    for (std::size_t i = 0; i < count; ++i) exactly.velocities.push_back(draw.vector(4, -2));
+    exactly.positions = exactly.at(-q.t);
+    auto made = to_doubles(exactly);
+    if (!made) return std::nullopt;
+    made->weights = patch.weights;
+    patch = *std::move(made);
   }
   return q;
 }
@@ -144,9 +138,7 @@ Attempted weighted_case(const GeneratorOptions& options, Draw& draw) {
     CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, draw));
     q = contact_of(regular);
     for (std::size_t s = 0; s < 2 && q; ++s) {
-      const auto exponents = draw_exponents(draw, q->query.patches[s].positions.size(), 3);
-      if (exponents.size() == 1) continue;
-      if (!pull_by_weights(*q, s, exponents)) return tl::unexpected(Discard::kRoundTrip);
+      if (!pull_by_weights(draw, *q, s, 3)) return tl::unexpected(Discard::kRoundTrip);
       draw_free_weights(draw, *q, s);
     }
     out = regular;

@@ -13,16 +13,14 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
 /// v / by, if that is dyadic.
 std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);
 
-/// One for each control point of a patch, from −most to most.
-std::vector<int> draw_exponents(Draw& draw, std::size_t count, int most);
-
-/// Multiplies control point i's weight by 2^exponents[i], and divides the way from the contact to
-/// the control point at that time by the same. So the contact stays, and so does a plane through it
-/// that the patch is on one side of. Returns false if a number is not a double; q is then void.
-bool pull_by_weights(Contact& q, size_t side, const std::vector<int>& exponents);
+/// Multiplies each control point's weight by a power of two from 2^-most to 2^most. Divides the way
+/// from the contact to the control point at that time by the same. So the contact stays, and so
+/// does a plane through it that the patch is on one side of. Leaves a point as it is. Returns false
+/// if a number is not a double; q is then void.
+bool pull_by_weights(Draw& draw, Contact& q, size_t side, int most);
 
 /// Weights of any kind (draw_patch_weights) for the control points of a rational patch that have no
-/// share in the contact.
+/// share in the contact. Those without weights stay as they are.
 void draw_free_weights(Draw& draw, Contact& q, size_t side);
 
 /// A contact at these parameters. Most patches have weights of any kind, and control points in

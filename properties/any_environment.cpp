@@ -38,11 +38,13 @@ constexpr double kLeastDouble = std::numeric_limits<double>::denorm_min();
 std::string bits(double x) {
   return fmt::format("{:x} ", std::bit_cast<std::uint64_t>(x));
 }
-std::string bits(const std::optional<double>& x) {
-  return x ? bits(*x) : "none ";
+/// What an optional or a Result holds, if anything.
+template <class Drawn>
+requires requires(const Drawn& x) {
+  x.has_value();
 }
-std::string bits(const Result<double>& x) {
-  return x ? bits(*x) : "refused ";
+std::string bits(const Drawn& x) {
+  return x.has_value() ? bits(*x) : "none ";
 }
 
 void check_guard(Draw& d) {

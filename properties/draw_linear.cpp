@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "generators/draw_patch.hpp"
+#include "bezier/exact_patch.hpp"
+#include "generators/shaped/contact_scene.hpp"
 
 namespace ccdfuzz {
 
@@ -95,22 +96,12 @@ void plant_contact(Draw& choices, const Dyadic& t, LinearScene& scene) {
   for (Vector& p : a.corners) p += gap;
 }
 
-/// Turns and shears everything, and gives it a common velocity.
-void place(Draw& choices, LinearScene& scene) {
-  const Columns columns = draw_columns(choices, 1);
-  const Vector common = draw_small_vector(choices, 3);
-  for (LinearSide& side : scene) {
-    for (Vector& p : side.corners) p = columns * p;
-    for (Vector& v : side.velocities) v = columns * v + common;
-  }
-}
+}  // namespace
 
-Shape shape_with(std::size_t corners) {
+Shape linear_shape(std::size_t corners) {
   if (corners == 1) return Shape::point();
   return corners == 2 ? Shape::curve(1) : Shape::triangle(1);
 }
-
-}  // namespace
 
 Result<Query> draw_linear(Draw& choices) {
   using Counts = std::array<std::size_t, 2>;
@@ -122,15 +113,19 @@ Result<Query> draw_linear(Draw& choices) {
   if (counts == Counts{2, 2} && choices.choose(3) == 3) make_parallel(choices, scene);
   const Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(), Dyadic(1, -1), Dyadic(3, -2)});
   if (choices.choose(3) != 3) plant_contact(choices, t, scene);
-  place(choices, scene);
+  // Turns and shears everything, and gives it a common velocity.
+  Placement placement;
+  placement.frame = draw_frame_near_axes(choices, 1);
+  placement.drift = draw_small_vector(choices, 3);
+  placement.exponent.fill(choices.coin() ? choices.integer(-1000, 900) : 0);
 
-  const long scale = choices.coin() ? choices.integer(-1000, 900) : 0;
   Query query;
   for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[s];
-    patch.shape = shape_with(counts[s]);
-    CCDFUZZ_TRY(patch.positions, scaled_doubles(scene[s].corners, scale));
-    CCDFUZZ_TRY(patch.velocities, scaled_doubles(scene[s].velocities, scale));
+    const auto& [corners, velocities, weights] = scene[s];
+    const ContactSide side{linear_shape(counts[s]), {}, corners, velocities};
+    const auto patch = to_doubles(placed(side, placement, Dyadic()));
+    if (!patch) return input_error("", "a number is not a double");
+    query.patches[s] = *patch;
   }
   if (choices.coin()) {
     for (MovingPatch<double>& patch : query.patches) {
@@ -152,7 +147,7 @@ Query draw_touching_at_half(Draw& choices, DrawVector* draw_vector, bool is_rigi
   std::array<Vec3<double>, 2> at;
   for (std::size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];
-    patch.shape = edges ? Shape::curve(1) : s == 0 ? Shape::point() : Shape::triangle(1);
+    patch.shape = linear_shape(edges ? 2 : 1 + 2 * s);
     at[s] = {0, 0, 0};
     double left = 1;
     for (int i = patch.shape.control_count() - 1; i >= 0; --i) {

@@ -17,6 +17,9 @@ namespace ccdfuzz {
 /// double holds.
 Result<Query> draw_linear(Draw& choices);
 
+/// The linear shape of so many corners, 1 to 3.
+Shape linear_shape(std::size_t corners);
+
 /// Two edges, or a point and a triangle, of vectors that are drawn so. They touch at t = 1/2, up to
 /// the rounding of sums, and often at a corner or on an edge. t_max is 1. is_rigid: all corners of
 /// either move alike.

@@ -16,9 +16,8 @@ Contact draw_pulled(Draw& choices) {
   Contact q = supposed(contact_of(supposed(draw_contact(choices, {-2, 2, 3}))));
   const std::uint64_t sides = 1 + choices.choose(2);
   for (std::size_t s = 0; s < 2; ++s) {
-    const std::size_t count = q.query.patches[s].positions.size();
-    if ((sides >> s & 1) == 0 || count == 1) continue;
-    suppose(pull_by_weights(q, s, draw_exponents(choices, count, 3)));
+    if ((sides >> s & 1) == 0 || q.query.patches[s].positions.size() == 1) continue;
+    suppose(pull_by_weights(choices, q, s, 3));
     draw_free_weights(choices, q, s);
   }
   return q;
@@ -50,8 +49,7 @@ FirstContact draw_weighted_first_contact(Draw& choices, Query* plain) {
   if (plain != nullptr) *plain = drawn.query;
   Contact q = supposed(contact_of(case_of(drawn)));
   for (std::size_t s = 0; s < 2; ++s) {
-    const std::size_t count = q.query.patches[s].positions.size();
-    suppose(pull_by_weights(q, s, draw_exponents(choices, count, 1)));
+    suppose(pull_by_weights(choices, q, s, 1));
     const auto [least, most] =
         std::minmax_element(q.query.patches[s].weights.begin(), q.query.patches[s].weights.end());
     // Control points go away by at most 2; derivatives grow by the square of the ratio.

@@ -20,10 +20,6 @@ namespace ccdfuzz {
 
 namespace {
 
-Vec3<Dyadic> point_at(const Points<Dyadic>& points, const Barycentric& x) {
-  return weighted_sum(bernstein_weights(x), points);
-}
-
 /// Both tangents of a patch at a point.
 std::array<Vec3<Dyadic>, 2> tangents_at(const Points<Dyadic>& points, const Barycentric& x) {
   return {slope(points, x, towards(corner_point(2), corner_point(0))),

@@ -89,12 +89,6 @@ double sixteenths(std::int64_t k) {
   return std::ldexp(static_cast<double>(k), -4);
 }
 
-/// A double, or one next to it.
-double draw_next_to(Draw& choices, double x) {
-  const int step = choices.pick(std::array{0, -1, 1});
-  return step == 0 ? x : std::nextafter(x, step * HUGE_VAL);
-}
-
 /// Two points at the distance 5·size·|t − contact| from each other, size a power of two.
 Case points_that_meet(Draw& choices, double contact, double size) {
   const Vec3<double> away = choices.coin() ? Vec3<double>(3, 4, 0) : Vec3<double>(0, -3, 4);
@@ -124,11 +118,11 @@ void check_terms_of_time(Draw& d) {
   terms.closed_t_max = !d.coin();
   terms.contact_at_zero = !d.coin();
   const double off = std::abs(toi - contact);
-  if (d.coin()) terms.time_tolerance = std::max(0.0, draw_next_to(d, off));
-  if (d.coin()) terms.early_tolerance = std::max(0.0, draw_next_to(d, off));
+  if (d.coin()) terms.time_tolerance = std::max(0.0, d.nudged(off, 1));
+  if (d.coin()) terms.early_tolerance = std::max(0.0, d.nudged(off, 1));
   const double before = hit ? toi : t_max;
   const double nearest = 5 * size * (contact - std::min(before, contact));
-  if (d.coin()) terms.kept_separation = std::max(0.0, draw_next_to(d, nearest));
+  if (d.coin()) terms.kept_separation = std::max(0.0, d.nudged(nearest, 1));
 
   // What is too near at t = 0 may be left out where a contact may be.
   const bool at_zero = 5 * size * contact < terms.kept_separation;

@@ -8,6 +8,7 @@
 #include "generators/draw_trim.hpp"
 #include "numeric/products.hpp"
 #include "properties/answers.hpp"
+#include "properties/draw_linear.hpp"
 #include "properties/query_kind.hpp"
 #include "properties/show.hpp"
 #include "properties/suites.hpp"
@@ -78,7 +79,7 @@ Query draw_near_miss(Draw& d, int most_less) {
   for (std::size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];
     const std::size_t count = corners[s].size();
-    patch.shape = count == 1 ? Shape::point() : count == 2 ? Shape::curve(1) : Shape::triangle(1);
+    patch.shape = linear_shape(count);
     Vec3<double> v(0, 0, 0);
     for (std::size_t i = 0; i < count; ++i) {
       if (turns || i == 0) v = draw_vector(d, exponent);

@@ -67,8 +67,8 @@ Query draw_grazing(Draw& choices) {
   Query query;
   auto& [a, b] = query.patches;
   const bool edges = choices.coin(), turns = choices.coin();
-  a.shape = edges ? Shape::curve(1) : Shape::triangle(1);
-  b.shape = edges ? Shape::curve(1) : Shape::point();
+  a.shape = linear_shape(edges ? 2 : 3);
+  b.shape = linear_shape(edges ? 2 : 1);
   // Positions at the time of the crossing first.
   for (MovingPatch<double>& patch : query.patches) {
     for (int i = 0; i < patch.shape.control_count(); ++i) {

@@ -1,6 +1,5 @@
-#include "properties/draw_lines.hpp"
+#include "properties/envelope.hpp"
 #include "properties/error_bound.hpp"
-#include "properties/exact_lines.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -120,11 +119,8 @@ void claim_convex_chain(Draw& d, bool raised) {
   LinePairs pairs = draw_line_pairs(d);
   if (raised) pairs.f = draw_near_concurrent(d);
   const Policy policy;
-  Lines<double> envelope = selected_lines(policy, pairs.f, pairs.window);
-  if (raised) {
-    const Lines<double> sorted = sorted_lines(pairs.f);
-    policy.raise(envelope, policy.envelope_error(sorted, {}, pairs.window.hi));
-  }
+  const Lines<double> envelope = raised ? envelope_of(policy, pairs.f, pairs.window)
+                                        : selected_lines(policy, pairs.f, pairs.window);
   show(d, "lines", pairs);
   show(d, "chain", envelope);
   const ExactLines chain = exact_lines(envelope);

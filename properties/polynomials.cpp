@@ -3,7 +3,7 @@
 
 #include "certify/checker/nonnegative.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/shaped/features.hpp"
+#include "generators/shaped/heights.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -17,29 +17,18 @@ struct Monomial {
 };
 using Polynomial = std::vector<Monomial>;
 
-/// x·(x − 1)·… with this many factors.
-Rational falling(int x, int factors) {
-  Rational product = 1;
-  for (int k = 0; k < factors; ++k) product *= x - k;
-  return product;
-}
-
 /// Whether the shape has a polynomial of that term, and so of its Bernstein coefficients.
 bool has_term(const Shape& shape, int a, int b) {
   return shape.kind == ShapeKind::kTriangle ? a + b <= shape.n : a <= shape.n && b <= shape.m;
 }
 
-/// In Shape's order. u^a·v^b has the coefficients C(i,a)/C(n,a)·C(j,b)/C(m,b), on a triangle
-/// i!/(i−a)!·j!/(j−b)!·(n−a−b)!/n!, by a multiplication with (u + w)^(n−a) and so on.
+/// In Shape's order.
 std::vector<Rational> coefficients_of(const Shape& shape, const Polynomial& polynomial) {
-  const bool triangle = shape.kind == ShapeKind::kTriangle;
   std::vector<Rational> out;
   for_each_control(shape, [&](int i, int j) {
     Rational sum = 0;
     for (const auto& [a, b, factor] : polynomial) {
-      const Rational whole =
-          triangle ? falling(shape.n, a + b) : Rational(falling(shape.n, a) * falling(shape.m, b));
-      sum += factor * falling(i, a) * falling(j, b) / whole;
+      sum += factor * coefficient_of(shape, i, j, a, b);
     }
     out.push_back(sum);
   });

@@ -31,12 +31,7 @@ double draw_window_end(Draw& d, const Query& query, const exact_ccd::Units& unit
 
 /// As far apart as the cells are along the axis, whose gap is h < 0 there, or up to two floats off.
 double draw_separation(Draw& d, const Rational& h, const Integer& norm_squared) {
-  double separation = round_up(-h) / std::sqrt(norm_squared.get_d());
-  const std::int64_t floats = d.integer(-2, 2);
-  for (std::int64_t i = 0; i != floats; i += floats < 0 ? -1 : 1) {
-    separation = std::nextafter(separation, floats < 0 ? 0 : HUGE_VAL);
-  }
-  return separation;
+  return d.nudged(round_up(-h) / std::sqrt(norm_squared.get_d()), 2);
 }
 
 void check_signs(Draw& d) {

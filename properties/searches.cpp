@@ -34,11 +34,8 @@ void check_budget(Draw& d) {
 /// A child of a patch in exact arithmetic, if doubles hold it.
 std::optional<MovingPatch<double>> child_of(const MovingPatch<double>& patch, int child) {
   const Cell cell = Cell().child(patch.shape, child);
-  const MovingPatch<Dyadic> part =
-      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
-  const auto positions = to_doubles(part.positions), velocities = to_doubles(part.velocities);
-  if (!positions || !velocities) return std::nullopt;
-  return MovingPatch<double>{patch.shape, *positions, *velocities};
+  return to_doubles(
+      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape))));
 }
 
 /// Also of rational patches, or of a part of one patch, whether it has the contact or not. Its

@@ -1,5 +1,4 @@
-#include "properties/separation.hpp"
-
+#include "properties/envelope.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

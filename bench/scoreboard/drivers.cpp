@@ -9,7 +9,6 @@
 #include "corpus_driver.hpp"
 #include "hunt_driver.hpp"
 #include "properties/envelope.hpp"
-#include "properties/separation.hpp"
 #include "properties/suites.hpp"
 #include "property_turns.hpp"
 #include "rapidcheck.hpp"

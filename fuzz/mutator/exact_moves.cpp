@@ -131,7 +131,7 @@ bool give_weights(Contact& q, Draw& draw) {
     patch.weights = draw_patch_weights(draw, count);
     return repair(q, draw);
   }
-  return pull_by_weights(q, side, draw_exponents(draw, count, 3));
+  return pull_by_weights(draw, q, side, 3);
 }
 
 bool give_ends(Contact& q, Draw& draw) {

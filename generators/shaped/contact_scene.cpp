@@ -31,21 +31,6 @@ Planar random_step(Draw& draw) {
   return step;
 }
 
-/// Control points and velocities of one side in space; what stands in positions is where they are
-/// at t*.
-MovingPatch<Dyadic> placed(const ContactSide& side, const Placement& placement, const Dyadic& t) {
-  MovingPatch<Dyadic> patch{side.shape, {}, {}};
-  const auto in_space = [&](const Vec3<Dyadic>& x, const Vec3<Dyadic>& offset) {
-    Vec3<Dyadic> p = point_of(placement.frame, {x[0], x[1]}, x[2]) + offset;
-    for (int k = 0; k < 3; ++k) p[k] = p[k].scaled(placement.exponent[static_cast<size_t>(k)]);
-    return p;
-  };
-  const Vec3<Dyadic> shift = placement.shift + placement.drift * t;
-  for (const Vec3<Dyadic>& x : side.points) patch.positions.push_back(in_space(x, shift));
-  for (const Vec3<Dyadic>& v : side.rates) patch.velocities.push_back(in_space(v, placement.drift));
-  return patch;
-}
-
 /// Changes each velocity by up to `ulps` of the patch's largest number in that coordinate.
 void add_noise(MovingPatch<Dyadic>& patch, int ulps, Draw& draw) {
   for (int k = 0; k < 3; ++k) {
@@ -82,6 +67,19 @@ MovingPlane plane_of(const ContactScene& scene, const Placement& placement,
 }
 
 }  // namespace
+
+MovingPatch<Dyadic> placed(const ContactSide& side, const Placement& placement, const Dyadic& t) {
+  MovingPatch<Dyadic> patch{side.shape, {}, {}};
+  const auto in_space = [&](const Vec3<Dyadic>& x, const Vec3<Dyadic>& offset) {
+    Vec3<Dyadic> p = point_of(placement.frame, x) + offset;
+    for (int k = 0; k < 3; ++k) p[k] = p[k].scaled(placement.exponent[static_cast<size_t>(k)]);
+    return p;
+  };
+  const Vec3<Dyadic> shift = placement.shift + placement.drift * t;
+  for (const Vec3<Dyadic>& x : side.points) patch.positions.push_back(in_space(x, shift));
+  for (const Vec3<Dyadic>& v : side.rates) patch.velocities.push_back(in_space(v, placement.drift));
+  return patch;
+}
 
 Points<Dyadic> flat_net(const Shape& shape, bool straight, Draw& draw) {
   const auto [along_u, along_v] = draw.until(
@@ -150,9 +148,7 @@ std::optional<Case> to_case(const ContactScene& scene, const Placement& placemen
   if (scene.separated) out.truth.clearance = plane_of(scene, placement, exact_scene.patches);
   for (MovingPatch<Dyadic>& patch : exact_scene.patches) {
     if (placement.noise_ulps > 0) add_noise(patch, placement.noise_ulps, draw);
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] -= patch.velocities[i] * scene.t;
-    }
+    patch.positions = patch.at(-scene.t);
   }
   exact_scene.t_max = scene.t_max;
   const std::optional<Query> query = to_query(exact_scene);

@@ -39,6 +39,10 @@ struct Placement {
   int noise_ulps = 0;
 };
 
+/// Control points and velocities of one side in space; what stands in positions is where they are
+/// at t*.
+MovingPatch<Dyadic> placed(const ContactSide& side, const Placement& placement, const Dyadic& t);
+
 /// A control net in the plane z = 0: a grid of up to 2^3 across, its points moved by up to an
 /// eighth of its steps, or straight. Multiples of 2^-10.
 Points<Dyadic> flat_net(const Shape& shape, bool straight, Draw& draw);

@@ -11,20 +11,11 @@ namespace {
 
 constexpr int kFactorSlopeBits = 2;  // of the linear factors of a height
 
-/// i/n · (i−1)/(n−1) · … : the polar form of the power-th power at i arguments 1 and n−i arguments
-/// 0.
-Rational polar_power(int i, int n, int power) {
-  Rational value = 1;
-  for (int k = 0; k < power; ++k) value *= Rational(i - k, n - k);
-  value.canonicalize();
-  return value;
-}
-
-/// The polar form of u^a v^b, a + b ≤ 2, at control point (i, j).
-Rational polar_monomial(const Shape& shape, int i, int j, int a, int b) {
-  const bool triangle = shape.kind == ShapeKind::kTriangle;
-  if (triangle && a == 1 && b == 1) return Rational(i * j) / Rational(shape.n * (shape.n - 1));
-  return polar_power(i, shape.n, a) * polar_power(j, triangle ? shape.n : shape.m, b);
+/// x·(x − 1)·… with this many factors.
+Rational falling(int x, int factors) {
+  Rational product = 1;
+  for (int k = 0; k < factors; ++k) product *= x - k;
+  return product;
 }
 
 Linear random_linear_through(const Uv<Dyadic>& at, bool in_u, bool in_v, Draw& draw) {
@@ -87,6 +78,13 @@ std::vector<Dyadic> over_boundary(const Shape& shape, const Uv<Dyadic>& at, Zero
 
 }  // namespace
 
+Rational coefficient_of(const Shape& shape, int i, int j, int a, int b) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  const Rational whole =
+      triangle ? falling(shape.n, a + b) : Rational(falling(shape.n, a) * falling(shape.m, b));
+  return falling(i, a) * falling(j, b) / whole;
+}
+
 LowPolynomial product(const Linear& p, const Linear& q) {
   return {p[0] * q[0], p[0] * q[1] + p[1] * q[0], p[0] * q[2] + p[2] * q[0],
           p[1] * q[1], p[1] * q[2] + p[2] * q[1], p[2] * q[2]};
@@ -116,7 +114,7 @@ std::vector<Dyadic> coefficients_on(const Shape& shape, const LowPolynomial& p) 
     for (size_t k = 0; k < p.size(); ++k) {
       if (p[k].sign() == 0) continue;
       const auto [a, b] = kPowers[k];
-      const auto weight = Dyadic::from(scale * polar_monomial(shape, i, j, a, b));
+      const auto weight = Dyadic::from(scale * coefficient_of(shape, i, j, a, b));
       CCDFUZZ_VERIFY(weight);
       value += p[k] * *weight;
     }

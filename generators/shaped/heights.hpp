@@ -6,6 +6,11 @@
 
 namespace ccdfuzz {
 
+/// The Bernstein coefficient of u^a·v^b at control point (i, j): C(i,a)/C(n,a)·C(j,b)/C(m,b). On a
+/// triangle it is i!/(i−a)!·j!/(j−b)!·(n−a−b)!/n!, by a multiplication with (u + w)^(n−a) and so
+/// on. Requires that the shape has the degrees.
+Rational coefficient_of(const Shape& shape, int i, int j, int a, int b);
+
 /// A polynomial in u and v of total degree ≤ 2: coefficients of 1, u, v, u², uv and v².
 using LowPolynomial = std::array<Dyadic, 6>;
 

@@ -60,4 +60,12 @@ std::optional<Points<double>> to_doubles(const Points<Exact>& points) {
   return out;
 }
 
+/// The same patch, of velocities and without weights, in doubles. nullopt if one is not a double.
+template <class Exact>
+std::optional<MovingPatch<double>> to_doubles(const MovingPatch<Exact>& patch) {
+  const auto positions = to_doubles(patch.positions), velocities = to_doubles(patch.velocities);
+  if (!positions || !velocities) return std::nullopt;
+  return MovingPatch<double>{patch.shape, *positions, *velocities};
+}
+
 }  // namespace ccdfuzz
