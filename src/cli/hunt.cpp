@@ -351,7 +351,8 @@ void add_hunt(CommandLine& line) {
   command.flag("--plane", hunt.ground.plane,
                "Only bodies in the plane z = 0, as 2-D engines have them; with --bodies");
   command.flag("--binary32", hunt.ground.binary32,
-               "Only queries whose numbers are all floats, minimised ones too");
+               "Only queries whose numbers are all floats, minimised ones too. So is what bodies "
+               "move by");
   command.whole(
       "--within", hunt.ground.scale,
       "Only queries whose numbers are 0 or of size 2^-N to 2^N, minimised ones too, so that "

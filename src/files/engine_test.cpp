@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/nearest_float.hpp"
 #include "base/verify.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
@@ -272,6 +273,12 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
     sweeps[side] = filled(*sweep, names);
   }
   const Vec3<double> way = (bodies[0]->velocities[0] - bodies[1]->velocities[0]) * query.t_max;
+  const auto is_float_end = [&](int k) {
+    const double start = shapes[0].body.centre[k], end = start + way[k];
+    return nearest_float(end) == end && end - way[k] == start;
+  };
+  if (engine.has("float end") && !std::ranges::all_of(kAxes, is_float_end))
+    return refused("is given an end, and here it is no float");
   return without_idle_helpers(
       filled(engine.text, {{"__A__", shapes[0].text},
                            {"__B__", shapes[1].text},

@@ -24,6 +24,7 @@ namespace ccdfuzz {
 ///   "vertex-first" says that a vertex comes before the face.
 /// - "still promise" says that what is promised is of bodies that do not turn alone.
 /// - "plane" says that bodies are those of the plane z = 0.
+/// - "float end" says that the first body is given its end, a float: other ends are refused.
 /// - "call" begins the call that asks the engine. What is before it sets up the query.
 /// - "depth" is the tolerance, or "late" as a part of the way. "mesh depth" and "spin depth" are
 ///   those of meshes and of bodies that spin, where they differ.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/nearest_float.hpp"
+#include "case/body_motion.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -62,6 +63,8 @@ void bring_to_scale(Query& query, int scale) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);
   }
   query.t_max = std::ldexp(query.t_max, -in_time);
+  if (!is_of_bodies(query)) return;
+  while (largest_motion(query) > std::ldexp(1.0, scale)) query.t_max /= 2;
 }
 
 }  // namespace
@@ -144,6 +147,10 @@ Case HuntGround::fitted(Case value) const {
     if (binary32) x = nearest_float(std::clamp(x, -kMost, kMost));
   };
   for_each_number(query, fit);
+  if (binary32 && are_bodies) {
+    give_as_floats(query);
+    for_each_number(query, fit);  // what has become small
+  }
   for (MovingPatch<double>& patch : query.patches) {
     if (std::ranges::count(patch.weights, 0) > 0) patch.weights.clear();
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {

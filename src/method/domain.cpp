@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "case/body_motion.hpp"
 #include "case/scale.hpp"
 #include "method/setting.hpp"
 
@@ -63,8 +65,14 @@ std::string Domain::broken_by(const Query& query) const {
     return "has no shape for one of these bodies";
   }
   if (binary32 && !is_binary32(query)) return "takes floats, and a number of this is none";
+  if (binary32 && are_bodies && !are_given_as_floats(query)) {
+    return "takes floats, and a motion of these bodies or a capsule's middle is none";
+  }
   if (scale && !is_within_scale(query, *scale)) {
     return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
+  }
+  if (scale && are_bodies && largest_motion(query) > std::ldexp(1.0, *scale)) {
+    return fmt::format("takes bodies that move by 2^{} at most", *scale);
   }
   return plane && are_bodies && !is_in_plane(query) ? "takes bodies in the plane z = 0" : "";
 }

@@ -23,9 +23,10 @@ struct Domain {
   using Pair = std::array<Side, 2>;
   std::vector<Pair> pairs;  ///< empty: all
   BodyKinds body_kinds;     ///< empty: all
-  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale].
+  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]. Bodies move against each other by no
+  /// more than 2^scale along an axis.
   std::optional<int> scale;
-  /// Each number is a float.
+  /// Each number is a float, and bodies are given as floats (body_motion.hpp).
   bool binary32 = false;
   /// Only cases of Setting::kOrdinary that are not shallow: apart at the start, with extent, in
   /// motion, and with a contact that a little motion does not avoid.

@@ -10,6 +10,7 @@ const manifest = new URL('../../package.json', `file://${wasm}`);
 const { version } = JSON.parse(readFileSync(manifest));
 const hk = await HavokPhysics({ wasmBinary: readFileSync(wasm) });
 
+const origin = [0, 0, 0];
 const noTurn = [0, 0, 0, 1];
 const everything = [~0, ~0];
 
@@ -18,12 +19,12 @@ function need([result, value]) {
   return value;
 }
 
-function shape({ points, radius, half }) {
-  if (points.length === 1 && radius > 0) return need(hk.HP_Shape_CreateSphere([0, 0, 0], radius));
+/// `offset` is its middle in the coordinates of the body.
+function shape({ points: about, radius, half }, offset) {
+  const points = about.map((p) => p.map((x, k) => x + offset[k]));
+  if (points.length === 1 && radius > 0) return need(hk.HP_Shape_CreateSphere(points[0], radius));
   if (points.length === 2 && radius > 0) return need(hk.HP_Shape_CreateCapsule(...points, radius));
-  if (half && radius === 0) {
-    return need(hk.HP_Shape_CreateBox([0, 0, 0], noTurn, half.map((x) => 2 * x)));
-  }
+  if (half && radius === 0) return need(hk.HP_Shape_CreateBox(offset, noTurn, half.map((x) => 2 * x)));
   if (points.length < 4 || radius > 0) throw new Refusal('has no such shape');
   const address = hk._malloc(points.length * 12);
   new Float32Array(hk.HEAPU8.buffer, address, points.length * 3).set(points.flat());
@@ -38,12 +39,11 @@ const world = need(hk.HP_World_Create());
 const collector = need(hk.HP_QueryCollector_Create(1));
 
 function cast(a, b, way) {
-  const end = a.centre.map((x, k) => {
-    const y = x + way[k];
-    if (Math.fround(y) !== y) throw new Refusal('takes an end position, and here it is no float');
-    return y;
-  });
-  const [first, second] = [a, b].map(shape);
+  const after = a.centre.map((x, k) => x + way[k]);
+  // It takes an end position. Where that is no float, the body starts at 0 with its shape off that.
+  const [start, end, offset] = after.every((x, k) => Math.fround(x) === x && x - way[k] === a.centre[k])
+    ? [a.centre, after, origin] : [origin, way, a.centre];
+  const [first, second] = [shape(a, offset), shape(b, origin)];
   const body = need(hk.HP_Body_Create());
   for (const [id] of [[first], [second]]) hk.HP_Shape_SetFilterInfo(id, everything);
   hk.HP_Body_SetShape(body, second);
@@ -51,7 +51,7 @@ function cast(a, b, way) {
   hk.HP_Body_SetPosition(body, b.centre);
   hk.HP_World_AddBody(world, body, false);
   try {
-    hk.HP_World_ShapeCastWithCollector(world, collector, [first, noTurn, a.centre, end, false, [0n]]);
+    hk.HP_World_ShapeCastWithCollector(world, collector, [first, noTurn, start, end, false, [0n]]);
     if (need(hk.HP_QueryCollector_GetNumHits(collector)) === 0) return undefined;
     return need(hk.HP_QueryCollector_GetShapeCastResult(collector, 0))[0];
   } finally {

@@ -131,7 +131,9 @@ enum {
   CCDFUZZ_TAKES_BODIES = 64,     /* answers queries of two bodies (CCDFUZZ_HULL) */
   CCDFUZZ_TAKES_TRIMS = 128,     /* answers patches with loops */
   /* What it promises to answer is narrower; it is asked of nothing else: */
-  CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats */
+  CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats; of bodies, so are t_max times
+                           * each velocity, the differences of both bodies' and, where a body has
+                           * two points and a radius, their middle and half of their difference */
   CCDFUZZ_ORDINARY = 512, /* queries that start apart, in motion, of patches or bodies with extent,
                            * and whose contact is well inside of [0, t_max] */
   CCDFUZZ_PLANE = 1024,   /* bodies that lie and move in the plane z = 0 */
@@ -199,7 +201,8 @@ typedef struct ccdfuzz_description {
   double minimum_separation;
   /* NULL, or the sentence that it is held to, with a link: reports show it. */
   const char* promise;
-  /* 0, or N: it is asked only about numbers that are 0 or of a magnitude in [2^-N, 2^N]. */
+  /* 0, or N: it is asked only about numbers that are 0 or of a magnitude in [2^-N, 2^N], and bodies
+   * that move against each other by 2^N at most along an axis. */
   uint64_t within;
   /* body_count of them: each body of a query that it is asked is of one. None: all bodies are. */
   const ccdfuzz_body_kind* bodies;
