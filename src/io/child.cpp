@@ -34,8 +34,17 @@ constexpr auto kTimeToEnd = std::chrono::seconds(5);
 /// How long a process may be dead, its output held open by another, before that is noticed.
 constexpr long kMostBetweenLooks = 50;  // ms
 
-/// This much of the end of a process's output is kept.
-constexpr size_t kKeptPrintedBytes = 300;
+/// So much of the beginning and of the end of a process's output is kept. The first two lines of a
+/// sanitizer, or the first of an assertion, are about 200 bytes: they say what happened, and where. A
+/// last message with a path or two takes less than 300.
+constexpr size_t kKeptBeginning = 200, kKeptEnd = 300;
+constexpr std::string_view kLeftOut = "\n[...]\n";
+
+/// Leaves out what is between these, also where something was left out before.
+void leave_out_middle(std::string& text) {
+  if (text.size() <= kKeptBeginning + kLeftOut.size() + kKeptEnd) return;
+  text.replace(kKeptBeginning, text.size() - kKeptBeginning - kKeptEnd, kLeftOut);
+}
 
 [[noreturn]] void system_refused(const char* what, int error) {
   throw std::system_error(error, std::generic_category(), fmt::format("cannot {}", what));
@@ -285,9 +294,7 @@ bool Child::read_printed() {
     if (n <= 0) return true;
     printed_bytes_ += static_cast<size_t>(n);
     printed_text_.append(buffer.data(), static_cast<size_t>(n));
-    if (printed_text_.size() > kKeptPrintedBytes) {
-      printed_text_.erase(0, printed_text_.size() - kKeptPrintedBytes);
-    }
+    leave_out_middle(printed_text_);
   }
   return false;
 }

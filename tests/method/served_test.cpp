@@ -55,7 +55,7 @@ std::string crash(const std::string&) {
 }
 
 std::string abort_with_words(const std::string&) {
-  std::fputs("this cannot be\n", stderr);
+  std::fputs(("it began" + std::string(1000, 'x') + "\nthis cannot be\n").c_str(), stderr);
   std::abort();
 }
 
@@ -171,7 +171,7 @@ struct BadWork {
   const char* work;
   ChildLimits limits;
   const char* name;
-  const char* note;
+  std::string note;
 };
 
 void PrintTo(const BadWork& bad, std::ostream* out) {
@@ -194,7 +194,9 @@ TEST_P(ServedFaults, AreToldByTheirNamesAndLeaveNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Each, ServedFaults,
     testing::Values(BadWork{"crash", kPatient, "crash SIGSEGV", "ended by SIGSEGV"},
-                    BadWork{"abort", kPatient, "crash SIGABRT", "printed: this cannot be"},
+                    BadWork{"abort", kPatient, "crash SIGABRT",
+                            "printed: it began" + std::string(192, 'x') + " [...] " +
+                                std::string(284, 'x') + " this cannot be"},
                     BadWork{"kill", kPatient, "crash SIGKILL", ""},
                     BadWork{"spin", kShort, "hang", "no answer within 0.1 s of CPU time"},
                     BadWork{"wait", {0.5, 60, 1024}, "hang", "no answer within 0.5 s"},
