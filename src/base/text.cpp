@@ -138,6 +138,13 @@ std::vector<std::string> texts_between(const std::string& text, char mark) {
   return texts;
 }
 
+std::string depth_text(double depth, double tolerance) {
+  if (!(depth > 0)) return "";
+  const std::string text = fmt::format(", {:.2g} deep", depth);
+  if (!(tolerance > 0)) return text;
+  return text + fmt::format(", {:.2g} times the tolerance", depth / tolerance);
+}
+
 std::string shell_word(const std::string& text) {
   constexpr const char* kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";

@@ -102,6 +102,7 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
       text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
     }
     print_out(wrapped("  " + text, 4) + "\n");
+    if (const auto test = export_command(find)) print_out("    " + *test + "\n");
   }
   if (first.size() > kMost) print_out(fmt::format("  and {} more\n", first.size() - kMost));
   if (!finds.empty()) print_out("\n");
@@ -173,6 +174,8 @@ void print_report_json(const HuntReport& report) {
       row("generator", find.value.origin.generator);
       row("expect", find.value.expect);
       if (is_stored) row("reproduce", command_of(find));
+      const std::optional<std::string> test = is_stored ? export_command(find) : std::nullopt;
+      if (test) row("export", *test);
       if (!is_stored) row("case", find.value);
     });
   }

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "base/text.hpp"
 #include "cli/common_options.hpp"
 #include "eval/tables.hpp"
 #include "files/check_file.hpp"
+#include "files/engine_test.hpp"
 #include "finds/failure.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
@@ -30,6 +32,17 @@ std::string reproduction(const std::string& path, const std::map<std::string, Ex
   }
   return fmt::format("{} query {}{}", shell_word(program_name()), path_word(path),
                      method_words(methods));
+}
+
+std::optional<std::string> export_command(const Find& find) {
+  for (const EngineTemplate& of : engine_templates()) {
+    if (find.failure.who != fmt::format("plugin:{}", of.engine)) continue;
+    if (!engine_test({find.path, find.value}, of.engine)) return std::nullopt;
+    const std::string test = std::filesystem::path(find.path).stem().string();
+    return fmt::format("{} export {} --as {} -o {}{}", shell_word(program_name()),
+                       path_word(find.path), of.engine, shell_word(test), of.ending);
+  }
+  return std::nullopt;
 }
 
 std::string replay_command(const std::string& folder, std::vector<std::string> methods) {

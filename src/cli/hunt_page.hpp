@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "files/case_files.hpp"
@@ -12,6 +14,10 @@ namespace ccdfuzz {
 /// The command that asks the methods that are expected to fail on the case of a file; or all,
 /// if none is.
 std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect);
+
+/// The command that writes a find of a plug-in as a test of the engine whose name it has. Nothing
+/// where there is none of this name, or it has no test of the case.
+std::optional<std::string> export_command(const Find& find);
 
 /// The command that replays a folder of finds of these methods, their plug-ins allowed.
 std::string replay_command(const std::string& folder, std::vector<std::string> methods);

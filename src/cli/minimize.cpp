@@ -80,8 +80,11 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   Minimised minimised = minimise(found.value, failure, asker,
                                  {options.max_trials, [&] { return interrupted.load(); }});
-  say_version(minimised.value, options.method);
   const CheckedCase left = checked_or_unknown(minimised.value);
+  const auto depth = is_false_negative(failure.outcome)
+                         ? depth_of(left, asker.ask(options.method, left))
+                         : std::nullopt;
+  say_version(minimised.value, options.method, depth.value_or(0));
   if (!interrupted && asker.differs(options.method, left, shown, asker.search())) {
     session.remark("{}: {}", options.method, kAnswersDiffer);
   }

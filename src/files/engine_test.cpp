@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/nearest_float.hpp"
+#include "base/read_double.hpp"
+#include "base/text.hpp"
 #include "base/verify.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
@@ -90,14 +92,17 @@ double step_of_bodies(const Query& query, const EngineWords& engine) {
   return has_turns(query) && engine.has("turn") ? 1 : query.t_max;
 }
 
+/// How deep bodies may come that the engine misses, by its own tolerance; 0 where that is a time.
+double depth_allowed(const Query& query, const EngineWords& engine) {
+  const char* name = has_mesh(query) ? "mesh depth" : has_spins(query) ? "spin depth" : "depth";
+  return engine.number(engine.has(name) ? name : "depth");
+}
+
 /// How much later than the contact the engine may be, as a part of the way. That is its own
 /// tolerance in time, or the time in which bodies come as deep as its tolerance in space allows.
 /// The direction that keeps them apart until the contact tells how fast that is.
 double allowed_delay(const Case& value, const EngineWords& engine) {
-  const char* name = has_mesh(value.query)    ? "mesh depth"
-                     : has_spins(value.query) ? "spin depth"
-                                              : "depth";
-  const double depth = engine.number(engine.has(name) ? name : "depth");
+  const double depth = depth_allowed(value.query, engine);
   if (!(depth > 0)) return engine.number("late");
   const auto& patches = value.query.patches;
   const Vec3<double> way =
@@ -293,14 +298,21 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__FRACTION__", fmt::format("{}", query.t_max / step)}}));
 }
 
-/// A comment that says with which version of the engine the case was found, where the file says it.
-/// Only in ASCII: in JavaScript a comment ends at some other characters, too.
-std::string origin_text(const Origin& origin) {
+/// A comment that says with which version of the engine the case was found, and how deep, where the
+/// file says it. Only in ASCII: in JavaScript a comment ends at some other characters, too.
+std::string origin_text(const Origin& origin, double tolerance) {
   const auto version = origin.more.find("version");
   if (version == origin.more.end()) return "";
   const bool is_plain =
       std::ranges::all_of(version->second, [](char c) { return ' ' <= c && c <= '~'; });
-  return is_plain ? fmt::format("// Found with version {}.\n", version->second) : "";
+  if (!is_plain) return "";
+  const auto said = origin.more.find("depth");
+  double depth = 0;
+  if (said != origin.more.end()) {
+    read_double(said->second.data(), said->second.data() + said->second.size(), depth);
+  }
+  return fmt::format("// Found with version {}{}.\n", version->second,
+                     depth_text(depth, tolerance));
 }
 
 }  // namespace
@@ -334,7 +346,7 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const Result<std::string> asked =
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
-    std::string proof = origin_text(value.origin);
+    std::string proof = origin_text(value.origin, depth_allowed(value.query, engine));
     if (!engine.has("still promise") || !has_turns(value.query)) {
       proof = fmt::format("// Promised: {}\n{}", of_engine->promise, proof);
     }

@@ -64,10 +64,13 @@ Failure failure_of(const Case& value, const std::string& method, const Expected&
   return {method, outcome, value.origin.contact, cause, setting_of(value)};
 }
 
-void say_version(Case& find, const std::string& method) {
-  find.origin.more.erase("version");
+void say_version(Case& find, const std::string& method, double depth) {
+  auto& more = find.origin.more;
+  for (const char* name : {"version", "depth"}) more.erase(name);
   const auto info = method_info(method);
-  if (info && !info->version.empty()) find.origin.more["version"] = json_string(info->version);
+  if (!info || info->version.empty()) return;
+  more["version"] = json_string(info->version);
+  if (depth > 0) more["depth"] = fmt::format("{}", depth);
 }
 
 std::vector<Failure> failures_of(const Case& value) {
@@ -116,13 +119,6 @@ std::string to_text(const Expected& expected, double late_by) {
   if (late_by > 0) text += fmt::format(" by {:.3g}", late_by);
   if (!expected.cause.empty()) text += fmt::format(" ({})", expected.cause);
   return text;
-}
-
-std::string depth_text(double depth, double tolerance) {
-  if (!(depth > 0)) return "";
-  const std::string text = fmt::format(", {:.2g} deep", depth);
-  if (!(tolerance > 0)) return text;
-  return text + fmt::format(", {:.2g} times the tolerance", depth / tolerance);
 }
 
 Asked asked_with(const SearchOptions& search) {

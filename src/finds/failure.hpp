@@ -39,8 +39,10 @@ struct Failure {
 /// The failure that an expectation of a case states. Requires is_failure(expected.outcome).
 Failure failure_of(const Case& value, const std::string& method, const Expected& expected);
 
-/// Makes origin.version of a find what the method says of its version: of plug-ins that do.
-void say_version(Case& find, const std::string& method);
+/// Makes origin.version of a find what the method says of its version, and origin.depth the depth
+/// of the failure, where that is above 0. It is for plug-ins that say their version; others say
+/// neither.
+void say_version(Case& find, const std::string& method, double depth = 0);
 
 /// The failures that a case expects, method by method.
 std::vector<Failure> failures_of(const Case& value);
@@ -54,8 +56,6 @@ std::string file_stem(const Failure& failure);
 
 /// "missed (left root)", "late by 0.25 (right root)", "not asked".
 std::string to_text(const Expected& expected, double late_by = 0);
-/// ", 0.031 deep, 310 times the tolerance" of a method that has one, in space; empty for 0.
-std::string depth_text(double depth, double tolerance);
 
 /// The result of an expectation.
 enum class Change : std::uint8_t {

@@ -205,6 +205,7 @@ Result<void> Intake::finish(const Finish& how) {
         if (is_false_negative(failure.outcome)) {
           const Judged judged = asker.ask(failure.who, known);
           find.depth = depth_of(known, judged).value_or(0);
+          say_version(find.value, failure.who, find.depth);
           find.late_by = judged.late_by;
           find.depth_tolerance = judged.depth_tolerance;
         }

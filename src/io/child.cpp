@@ -35,8 +35,8 @@ constexpr auto kTimeToEnd = std::chrono::seconds(5);
 constexpr long kMostBetweenLooks = 50;  // ms
 
 /// So much of the beginning and of the end of a process's output is kept. The first two lines of a
-/// sanitizer, or the first of an assertion, are about 200 bytes: they say what happened, and where. A
-/// last message with a path or two takes less than 300.
+/// sanitizer, or the first of an assertion, are about 200 bytes: they say what happened, and where.
+/// A last message with a path or two takes less than 300.
 constexpr size_t kKeptBeginning = 200, kKeptEnd = 300;
 constexpr std::string_view kLeftOut = "\n[...]\n";
 

@@ -158,18 +158,16 @@ TEST(Change, IsARegressionIffItIsWorse) {
   EXPECT_EQ(change_of(missed, undecided), Change::kImprovement);
   EXPECT_EQ(change_of(missed, Outcome::kLate), Change::kOther);
   EXPECT_EQ(change_of(undecided, Outcome::kUnknown), Change::kOther);
-}
-
-TEST(Change, TellsCausesApartWhereTheEntrySaysOne) {
+  // Causes are told apart where the entry says one.
   EXPECT_EQ(change_of({Outcome::kMissed, "left root"}, {Outcome::kMissed, "hull"}), Change::kOther);
   EXPECT_EQ(change_of({Outcome::kError, "hang"}, {Outcome::kError, "crash SIGSEGV"}),
             Change::kOther);
   EXPECT_EQ(change_of(Outcome::kMissed, {Outcome::kMissed, "hull"}), Change::kNone);
 }
 
-TEST(Find, SaysNoVersionOfAnotherMethod) {
+TEST(Find, SaysNoVersionOrDepthOfAnotherMethod) {
   Case find;
-  find.origin.more["version"] = "\"9.9\"";
+  find.origin.more = {{"version", "\"9.9\""}, {"depth", "1"}};
   say_version(find, "tdibm");
   EXPECT_TRUE(find.origin.more.empty());
 }
