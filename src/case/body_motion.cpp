@@ -85,7 +85,7 @@ void align(double& x, double& y) {
 double largest_motion(const Query& bodies) {
   double largest = 0;
   are_all_motions(bodies, [&](double x, double y) {
-    largest = std::max(largest, std::abs(x - y));
+    largest = std::max({largest, std::abs(x), std::abs(y), std::abs(x - y)});
     return true;
   });
   return largest;

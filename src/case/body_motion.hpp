@@ -4,7 +4,7 @@
 
 namespace ccdfuzz {
 
-/// The most that bodies move against each other in the step along an axis. It is 0 where one of them
+/// The most that a body moves in the step along an axis, or one against the other. It is 0 where one
 /// turns from one rotation to another: such bodies move until 1, by their velocities.
 double largest_motion(const Query& bodies);
 

@@ -23,8 +23,8 @@ struct Domain {
   using Pair = std::array<Side, 2>;
   std::vector<Pair> pairs;  ///< empty: all
   BodyKinds body_kinds;     ///< empty: all
-  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]. Bodies move against each other by no
-  /// more than 2^scale along an axis.
+  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]. A body moves by no more than
+  /// 2^scale along an axis, nor do both against each other.
   std::optional<int> scale;
   /// Each number is a float, and bodies are given as floats (body_motion.hpp).
   bool binary32 = false;
