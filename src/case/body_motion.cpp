@@ -15,8 +15,8 @@ bool is_float(double x) {
   return std::isfinite(x) && nearest_float(x) == x;
 }
 
-/// Whether x - y is a float; x and y are. No rounding hides behind both sums: the difference from the
-/// larger of the two is exact (Dekker).
+/// Whether x - y is a float; x and y are. No rounding hides behind both sums: the difference from
+/// the larger of the two is exact (Dekker).
 bool have_float_difference(double x, double y) {
   const double difference = x - y;
   return is_float(difference) && x - difference == y && y + difference == x;
@@ -41,7 +41,7 @@ bool moves_by_step(const Query& bodies) {
 template <class Good>
 bool are_all_motions(const Query& bodies, const Good& good) {
   const Vec3<double>&first = bodies.patches[0].velocities[0],
-  &second = bodies.patches[1].velocities[0];
+        &second = bodies.patches[1].velocities[0];
   return !moves_by_step(bodies) || std::ranges::all_of(kAxes, [&](int k) {
     return good(bodies.t_max * first[k], bodies.t_max * second[k]);
   });
@@ -103,8 +103,7 @@ bool are_given_as_floats(const Query& bodies) {
 void give_as_floats(Query& bodies) {
   if (!are_float_motions(bodies)) {
     lengthen_step(bodies);
-    Vec3<double>&first = bodies.patches[0].velocities[0],
-    &second = bodies.patches[1].velocities[0];
+    Vec3<double>&first = bodies.patches[0].velocities[0], &second = bodies.patches[1].velocities[0];
     for (const int k : kAxes) {
       if (!have_float_difference(first[k], second[k])) align(first[k], second[k]);
     }

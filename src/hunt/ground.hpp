@@ -54,8 +54,8 @@ struct HuntGround : Domain {
   std::vector<ShapePair> drawn_shapes() const;
   /// The case with its numbers on the ground: brought near the origin and to scale, small numbers
   /// to 0, each to the nearest float. Bodies are then given as floats (give_as_floats). A patch of
-  /// which a weight is 0 loses its weights. Bodies are brought into the plane. Only bodies and linear
-  /// patches are changed, for of these the truth of the changed query is decided exactly.
+  /// which a weight is 0 loses its weights. Bodies are brought into the plane. Only bodies and
+  /// linear patches are changed, for of these the truth of the changed query is decided exactly.
   Case fitted(Case value) const;
 };
 

@@ -156,7 +156,8 @@ TEST(EngineTest, SaysWhatIsPromisedAndTheVersionIfACommentCanHoldIt) {
               testing::StartsWith("// Promised: casting a shape gives the first time of impact: "));
   EXPECT_THAT(*engine_test(named, "rapier"),
               testing::HasSubstr("version \"0.21.0\", 0.00031 deep, 3.1 times the tolerance.\n"));
-  named.value.origin.more["version"] = "\"1\u2028process.exit(0)\"";  // to JavaScript this is a line's end
+  named.value.origin.more["version"] =
+      "\"1\u2028process.exit(0)\"";  // to JavaScript this is a line's end
   EXPECT_THAT(*engine_test(named, "rapier"), testing::Not(testing::HasSubstr("exit")));
 }
 
