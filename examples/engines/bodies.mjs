@@ -66,6 +66,10 @@ export function capsule({ points: [p, q] }, axis) {
 /// What the engine of an adapter says that it does, with a link: promise.json beside it.
 export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.json', adapter)));
 
+/// Positions and ways of up to 2^16 end within 2^17. There a float is rounded by 2^-8 at most along an
+/// axis, and an engine rounds two positions and a way.
+const farRounding = 3 * Math.sqrt(3) * 2 ** -8;
+
 /// Answers queries until the input ends. cast(a, b, way, tMax) gives the share of `way`, the motion of a
 /// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
 /// is what the engine is held to (promiseOf). It promises nothing of contacts at an
@@ -75,25 +79,28 @@ export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.j
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
 /// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
 /// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
-/// the second then. A `meshTolerance` is for what the engine rounds of meshes. It refuses other options.
+/// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `far=1` numbers are up
+/// to 65536, if it promises something `far` off, and what that rounds is allowed. It refuses other options.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
-  const { spins = '', meshTolerance = tolerance } = adapter;
+  const { spins = '', meshTolerance = tolerance, far = false } = adapter;
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const options = (asked.options ?? '').split(':').filter((option) => option !== '');
-    const known = ['any-numbers=1', ...(spins ? ['spins=1'] : []), ...(sides.length > 0 ? ['mesh=1'] : [])];
+    const known = ['any-numbers=1', ...(spins ? ['spins=1'] : []), ...(sides.length > 0 ? ['mesh=1'] : []),
+                   ...(far ? ['far=1'] : [])];
     const unknown = options.find((option) => !known.includes(option));
-    const [any, turning, meshes] = ['any-numbers=1', 'spins=1', 'mesh=1'].map((option) => options.includes(option));
+    const [any, turning, meshes, isFar] =
+      ['any-numbers=1', 'spins=1', 'mesh=1', 'far=1'].map((option) => options.includes(option));
     const reply = unknown !== undefined
       ? { refused: 'options', message: `unknown option ${unknown}; there are: ${known.join(' ')}` }
       : asked.ask === 'describe'
       ? { protocol: 1, name, version, promise: turning ? spins : promise, accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
-          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : 7, ordinary: true,
+          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? 16 : 7, ordinary: true,
           closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space',
-          tolerance: meshes ? meshTolerance : tolerance }
+          tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? farRounding : 0) }
       : { id: asked.id, ...answer(asked, { plane, numbers }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }

@@ -3,6 +3,7 @@
 // With least-margin=0.04 it is asked only about margins of so much or more, as it recommends.
 // With spins=1 it is asked about bodies that spin by up to π/4, too: it turns none by more.
 // With mesh=1 it is asked about meshes, too, by what btCollisionWorld::convexSweepTest calls.
+// With far=1 numbers are up to 2^16, and end within 2^17. A float is rounded by 2^-8 there.
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -17,8 +18,8 @@ struct Bullet {
   explicit Bullet(const std::string& text) {
     adapter::Options options(text);
     least_margin = options.number("least-margin", 0);
-    spins = options.number("spins", 0) != 0;
-    meshes = options.number("mesh", 0) != 0;
+    spins = options.number("spins", 0) != 0, meshes = options.number("mesh", 0) != 0;
+    far = options.number("far", 0) != 0;
     options.check_all_known();
   }
 
@@ -27,7 +28,7 @@ struct Bullet {
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
     if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
     if (meshes) description.claims |= CCDFUZZ_TAKES_MESHES;
-    description.within = 7;
+    description.within = far ? 16 : 7;
     description.pairs = ccd::body_pairs();
     const bool has_margin = least_margin > 0;  // overlaps of up to 12 points are measured
     description.bodies = {{1, 12, has_margin ? CCDFUZZ_POSITIVE_RADIUS : CCDFUZZ_ANY_RADIUS}};
@@ -35,16 +36,16 @@ struct Bullet {
 #include "promise.json"
         ;
     description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
-    description.tolerance = 1e-3;              // as near it stops (calcTimeOfImpact)
-    if (spins) description.tolerance += 1e-4;  // what rounding 443 from a centre adds
+    // As near it stops (calcTimeOfImpact). Rounding adds to it 443 from a centre; two positions, a way.
+    description.tolerance = 1e-3 + (spins ? 1e-4 : 0) + (far ? 3 * std::sqrt(3) * 0x1p-8 : 0);
     return description;
   }
 
   ccd::Answer answer(const ccd::Query& query) const {
     const auto& [a, b] = query.raw.patches;
     for (const ccdfuzz_patch* body : {a, b}) {
-      const bool is_convex = body->face_count == 0;
-      if (is_convex && body->radius < least_margin) throw ccd::Refusal("the margin is too small");
+      if (body->face_count > 0 || body->radius >= least_margin) continue;
+      throw ccd::Refusal("the margin is too small");
     }
     const std::optional<double> share = a->face_count > 0   ? swept(*b, *a, query.t_max())
                                         : b->face_count > 0 ? swept(*a, *b, query.t_max())
@@ -73,7 +74,7 @@ struct Bullet {
   }
 
   double least_margin = 0;
-  bool spins = false, meshes = false;
+  bool spins = false, meshes = false, far = false;
 };
 
 CCDFUZZ_PLUGIN(Bullet)
