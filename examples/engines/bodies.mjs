@@ -28,7 +28,7 @@ const allFloats = (points) => points.every((p) => p.every((x) => Math.fround(x) 
 
 /// The points as the engine gets them: about the middle where these differences are floats, and
 /// else as they are.
-function body(patch, { plane, numbers }) {
+function body(patch, { plane, numbers, most }) {
   const { positions, radius = 0, velocities, faces, sides, spin } = patch;
   const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
   const about = differences(positions, middle);
@@ -37,6 +37,7 @@ function body(patch, { plane, numbers }) {
   const centre = exact ? middle : [0, 0, 0];
   const points = exact ? about : positions;
   if (numbers === 'binary32') points.concat([[radius]]).flat().forEach((x) => float32(x, 'a number'));
+  if (points.flat().some((x) => Math.abs(x) > most)) throw new Refusal('a body far off is wide, or has no middle');
   const half = exact ? halfExtents(points, plane ? 2 : 3) : undefined;
   const mesh = faces && { faces, oneSided: sides === 1 };
   return { centre, points, radius, half: mesh ? undefined : half, velocity: velocities[0], spin, mesh };
@@ -66,9 +67,9 @@ export function capsule({ points: [p, q] }, axis) {
 /// What the engine of an adapter says that it does, with a link: promise.json beside it.
 export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.json', adapter)));
 
-/// Positions and ways of up to 2^16 end within 2^17. There a float is rounded by 2^-8 at most along an
-/// axis, and an engine rounds two positions and a way.
-const farRounding = 3 * Math.sqrt(3) * 2 ** -8;
+/// Positions and ways of up to 2^far end within twice that. There a float is rounded by 2^(far - 24) at
+/// most along an axis, and an engine rounds two positions and a way.
+const rounding = (far) => 3 * Math.sqrt(3) * 2 ** (far - 24);
 
 /// Answers queries until the input ends. cast(a, b, way, tMax) gives the share of `way`, the motion of a
 /// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
@@ -79,11 +80,13 @@ const farRounding = 3 * Math.sqrt(3) * 2 ** -8;
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
 /// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
 /// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
-/// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `far=1` numbers are up
-/// to 65536, if it promises something `far` off, and what that rounds is allowed. It refuses other options.
+/// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `far=1` positions are
+/// up to 2^far, if its promise goes so far, of bodies that are within 128 about their middle; what floats
+/// round there is allowed. It refuses other options.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
-  const { spins = '', meshTolerance = tolerance, far = false } = adapter;
+  const { spins = '', meshTolerance = tolerance, far = 0 } = adapter;
+  let most = Infinity;  // of a coordinate about a body's middle; options come with the first line alone
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const options = (asked.options ?? '').split(':').filter((option) => option !== '');
@@ -92,16 +95,17 @@ export async function serve(adapter, cast) {
     const unknown = options.find((option) => !known.includes(option));
     const [any, turning, meshes, isFar] =
       ['any-numbers=1', 'spins=1', 'mesh=1', 'far=1'].map((option) => options.includes(option));
+    if (isFar) most = 128;
     const reply = unknown !== undefined
       ? { refused: 'options', message: `unknown option ${unknown}; there are: ${known.join(' ')}` }
       : asked.ask === 'describe'
       ? { protocol: 1, name, version, promise: turning ? spins : promise, accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
-          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? 16 : 7, ordinary: true,
+          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: true,
           closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space',
-          tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? farRounding : 0) }
-      : { id: asked.id, ...answer(asked, { plane, numbers }, cast) };
+          tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? rounding(far) : 0) }
+      : { id: asked.id, ...answer(asked, { plane, numbers, most }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }
 }

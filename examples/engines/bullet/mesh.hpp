@@ -24,8 +24,8 @@ inline double swept(const ccdfuzz_patch& body, const ccdfuzz_patch& mesh, double
   const btConvexHullShape shape = hull(body);
   double way[3];
   for (int k = 0; k < 3; ++k) way[k] = t_max * (body.velocities[0][k] - mesh.velocities[0][k]);
-  const btTransform from = btTransform::getIdentity();
-  const btTransform to(from.getBasis(), vector(way));
+  const btTransform from(btQuaternion::getIdentity(), middle(body));
+  const btTransform to(from.getBasis(), middle(body) + vector(way));
   btCollisionWorld::ClosestConvexResultCallback first(from.getOrigin(), to.getOrigin());
   btCollisionWorld::objectQuerySingle(&shape, from, to, &object, &target, from, first, 0);
   return first.hasHit() ? double{first.m_closestHitFraction} : -1;

@@ -10,14 +10,23 @@ inline btVector3 vector(const double (&x)[3]) {
   return {adapter::as_float(x[0]), adapter::as_float(x[1]), adapter::as_float(x[2])};
 }
 
+/// What a body turns about. One that does not, and is farther from the origin than 128, is about its
+/// first point, as bodies of a large world are.
 inline btVector3 middle(const ccdfuzz_patch& body) {
-  return body.turn_count > 0 ? vector(body.turn_centre) : btVector3(0, 0, 0);
+  if (body.turn_count > 0) return vector(body.turn_centre);
+  const btVector3 first = vector(body.positions[0]);
+  return first.absolute()[first.absolute().maxAxis()] > 128 ? first : btVector3(0, 0, 0);
 }
 
 inline btConvexHullShape hull(const ccdfuzz_patch& body) {
   btConvexHullShape shape;
   for (std::uint64_t i = 0; i < body.count; ++i) {
-    shape.addPoint(vector(body.positions[i]) - middle(body), false);
+    double about[3];  // differences of floats of few bits are floats
+    for (int k = 0; k < 3; ++k) {
+      about[k] = body.positions[i][k] - double{middle(body)[k]};
+      if (std::abs(about[k]) > 256) throw adapter::Refusal("a body far off is wide");
+    }
+    shape.addPoint(vector(about), false);
   }
   shape.recalcLocalAabb();
   shape.setMargin(adapter::as_float(body.radius));
@@ -31,5 +40,5 @@ inline btTransform place(const ccdfuzz_patch& body, double t) {
   for (int k = 0; k < 3; ++k) way[k] = t * body.velocities[0][k];
   const btQuaternion turn(static_cast<btScalar>(x), static_cast<btScalar>(y),
                           static_cast<btScalar>(z), static_cast<btScalar>(w));
-  return btTransform(turn, middle(body) + vector(way));
+  return btTransform(turn, middle(body) + vector(way));  // rounded, as the tolerance allows
 }

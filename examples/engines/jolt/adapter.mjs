@@ -63,7 +63,7 @@ function cast(a, b, way) {
 const promise = promiseOf(import.meta.url);
 const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
 const hello = { name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, stick, solid],
-                sides: [1, 2], meshTolerance: tolerance + meshRounding, far: true };
+                sides: [1, 2], meshTolerance: tolerance + meshRounding, far: 12 };
 await serve(hello, (...query) => {
   try {
     return cast(...query);
