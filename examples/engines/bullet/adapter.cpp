@@ -36,7 +36,7 @@ struct Bullet {
 #include "promise.json"
         ;
     description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
-    // As near it stops (calcTimeOfImpact). Rounding adds to it 443 from a centre; two positions, a way.
+    // As near it stops (calcTimeOfImpact), and what rounding adds: 443 from a centre; far away.
     description.tolerance = 1e-3 + (spins ? 1e-4 : 0) + (far ? 3 * std::sqrt(3) * 0x1p-8 : 0);
     return description;
   }

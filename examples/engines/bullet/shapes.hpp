@@ -10,8 +10,8 @@ inline btVector3 vector(const double (&x)[3]) {
   return {adapter::as_float(x[0]), adapter::as_float(x[1]), adapter::as_float(x[2])};
 }
 
-/// What a body turns about. One that does not, and is farther from the origin than 128, is about its
-/// first point, as bodies of a large world are.
+/// What a body turns about. One that does not, and is farther from the origin than 128, is about
+/// its first point, as bodies of a large world are.
 inline btVector3 middle(const ccdfuzz_patch& body) {
   if (body.turn_count > 0) return vector(body.turn_centre);
   const btVector3 first = vector(body.positions[0]);
