@@ -11,7 +11,8 @@ namespace ccdfuzz {
 struct InputError {
   std::string where;  ///< file and JSON path, or option name; may be empty
   std::string what;   ///< the complaint, with the offending value
-  /// Nothing is known to be wrong with it: looking on would have taken too long.
+  /// Nothing is known to be wrong with it: it could not be read, or looking on would have taken too
+  /// long.
   bool is_limit = false;
 
   std::string message() const { return where.empty() ? what : where + ": " + what; }

@@ -10,6 +10,7 @@
 #include "eval/race.hpp"
 #include "generators/generate.hpp"
 #include "hunt/ground.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -73,11 +74,13 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
   }
 }
 
-/// How many times the time of the first method. Nothing where one of the two refused a query: those
-/// that both answered are then not the same.
+/// How many times the time of the first method. Nothing where one of the two refused a query or
+/// failed on it: those that both answered are then not the same.
 std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base,
                             double (LogHistogram::*time)() const = &LogHistogram::sum) {
-  if (runner.tally.not_asked() + base.tally.not_asked() > 0) return std::nullopt;
+  for (const Tally* tally : {&runner.tally, &base.tally}) {
+    if (tally->not_asked() + tally->count(Outcome::kError) > 0) return std::nullopt;
+  }
   return (runner.tally.seconds.*time)() / (base.tally.seconds.*time)();
 }
 
@@ -106,6 +109,7 @@ void print_rows(ContactClass contact, const Race& race, std::uint64_t max_pops) 
       row("max_pops", max_pops);
       row("undecided", tally.count(Outcome::kUndecided));
       row("not_asked", tally.not_asked());
+      row.optional("errors", tally.count(Outcome::kError));
       row("total_ratio", ratio(runner, base));
       row("median_ratio", ratio(runner, base, &LogHistogram::median));
       row("overrun_seconds", runner.overrun);
@@ -126,9 +130,10 @@ Table ratio_table(const ClassRaces& races) {
     for (const auto& [contact, race] : races) {
       const Race::Runner &base = race.runners().front(), &runner = race.runners()[m];
       if (row.empty()) row.push_back({marked(runner.spec)});
-      row.push_back({runner.tally.n == 0 ? "not asked"
-                     : m == 0            ? duration_text(runner.tally.seconds.mean())
-                                         : ratio_text(runner, ratio(runner, base))});
+      row.push_back({runner.tally.n == 0     ? "not asked"
+                     : !runner.fault.empty() ? "error"
+                     : m == 0                ? duration_text(runner.tally.seconds.mean())
+                                             : ratio_text(runner, ratio(runner, base))});
     }
     table.add_row(std::move(row));
   }
@@ -137,14 +142,16 @@ Table ratio_table(const ClassRaces& races) {
 
 void print_races(const ClassRaces& races, const BenchOptions& options) {
   print_table(ratio_table(races));
-  print_out(
-      fmt::format("\n{}: mean time of a query. Others: how many times as long all take.\n"
-                  "{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
-                  "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
-                  "Medians, pops and undecided queries: --json\n"
-                  "{} a class and method; CPU time of one thread, the methods by turns\n",
-                  options.methods.front(), mark_note(options.methods), *options.search.max_pops,
-                  counted(2 * options.count, "query", "queries")));
+  const bool has_plugin = std::ranges::any_of(options.methods, names_plugin);
+  print_out(fmt::format(
+      "\n{}: mean time of a query. Others: how many times as long all take.\n"
+      "{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
+      "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
+      "Medians, pops and undecided queries: --json\n"
+      "{} a class and method; CPU time of one thread, the methods by turns\n{}",
+      options.methods.front(), mark_note(options.methods), *options.search.max_pops,
+      counted(2 * options.count, "query", "queries"),
+      has_plugin ? "Of a plug-in: the wall time that it tells, or to it and back\n" : ""));
 }
 
 int run_bench(const BenchOptions& options, Session& session) {
@@ -164,11 +171,15 @@ int run_bench(const BenchOptions& options, Session& session) {
                               done, "queries");
       return !interrupted;
     });
+    for (const Race::Runner& runner : race.runners()) {
+      if (!runner.fault.empty()) session.remark("{}: {}", runner.spec, runner.fault);
+    }
     if (session.json) print_rows(contact, race, *options.search.max_pops);
     if (interrupted) break;
   }
   session.progress().clear();
   if (!session.json) print_races(races, options);
+  if (interrupted) return session.end_early(done, "queries", "the numbers are of these");
   return session.exit_code(kDone);
 }
 

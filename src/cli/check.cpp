@@ -337,8 +337,9 @@ int run_check(const CheckArguments& options, Session& session) {
                             expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
   if (interrupted) {
     session.remark("interrupted: {} of {} properties begun", done, chosen.size());
+    return interrupted_exit_code();
   }
-  return session.exit_code(findings + unchecked > 0 ? kCheckFailed : kDone);
+  return findings + unchecked > 0 ? kCheckFailed : kDone;
 }
 
 }  // namespace

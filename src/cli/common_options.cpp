@@ -198,10 +198,6 @@ void CaseCount::add(const Case& value) {
     ++labels;
     if ((label->second == "1") != *truth.collides) ++wrong_labels;
   }
-  if (const auto numbers = more.find("rounded"); numbers != more.end()) {
-    ++rounded_cases;
-    rounded += parse_whole("", numbers->second).value_or(0);
-  }
 }
 
 void CaseCount::note(Session& session) const {
@@ -210,10 +206,6 @@ void CaseCount::note(Session& session) const {
         "{} of {} cases have no contact by the word of a method alone: their outcome is unknown "
         "(`ccdfuzz prove` gives proofs)",
         by_word, cases);
-  }
-  if (rounded > 0) {
-    session.remark("{} numbers of {} queries are no doubles and were rounded", rounded,
-                   rounded_cases);
   }
   if (wrong_labels > 0) {
     session.remark(

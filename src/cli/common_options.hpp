@@ -79,8 +79,6 @@ struct CaseCount {
   std::uint64_t by_word = 0;
   /// With a truth and a label of a query CSV; of them, those whose label says otherwise.
   std::uint64_t labels = 0, wrong_labels = 0;
-  /// Numbers of query CSVs that became the nearest double, and the queries with such.
-  std::uint64_t rounded = 0, rounded_cases = 0;
 
   void add(const Case& value);
   /// Says on stderr what is not as it should be.

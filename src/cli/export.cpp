@@ -76,11 +76,13 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
   return rows;
 }
 
-std::string export_csv(const ExportOptions& options) {
+std::string export_csv(const ExportOptions& options, Session& session) {
   OutputFile out = need(OutputFile::create(options.output));
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
+  RoundedNumbers when_read;
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    when_read.add(named.value);
     const Query& query = named.value.query;
     for (const auto& [has_it, what] :
          {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
@@ -105,6 +107,7 @@ std::string export_csv(const ExportOptions& options) {
     });
   }));
   need(out.commit());
+  session.note(when_read);
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
   return summary;
@@ -163,7 +166,8 @@ int run_export(const ExportOptions& options, Session& session) {
   if (engine != nullptr) {
     return export_engine_tests(options, *engine, session) == 0 ? kDone : kBadInput;
   }
-  session.summary(framework != nullptr ? export_tests(options, *framework) : export_csv(options));
+  session.summary(framework != nullptr ? export_tests(options, *framework)
+                                       : export_csv(options, session));
   return kDone;
 }
 
@@ -174,7 +178,7 @@ void add_export(CommandLine& line) {
       "export", "Write cases as a query CSV or as tests of a plug-in", run_export);
   command.example("counterexamples as GoogleTests",
                   "export finds/*.json --as gtest -o found_test.cpp");
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   command.text("-o,--output FILE", options->output, "File to write").in("Results").required();
   std::vector<std::string_view> engines;
   for (const EngineTemplate& one : engine_templates()) engines.push_back(one.engine);

@@ -352,13 +352,15 @@ void add_replay(CommandLine& line) {
                "A corpus, its `claims` alone, or a file of cases or of one claim");
   add_methods(command, options->methods, "Methods to run, by default those that an entry names");
   command.allow_plugins();
-  command.choice("--expect OUTCOME", options->expect,
-                 "What is expected of each method about every entry that it takes, such as "
-                 "correct; by default what the entry says");
+  const Option expect =
+      command.choice("--expect OUTCOME", options->expect,
+                     "What is expected of each method about every entry that it takes, such as "
+                     "correct; by default what the entry says");
   Option update = command.flag(
       "--update", options->update,
       "Write what methods show now into the entries, but no hang, which depends on the "
       "machine, and exit with 0");
+  update.excludes(expect);
   // An entry says itself how it is asked.
   options->search.max_pops.reset();
   for (const Option& limit : options->search.add_to(command)) update.excludes(limit);

@@ -113,8 +113,6 @@ int run_report(const ReportArguments& options, Session& session) {
   report.scoreboard = std::move(scoreboard);
   report.command = command_line();
   need(write_report(report, options.folder, session.threads));
-  if (session.interrupted())
-    session.remark("interrupted; the page shows only what was read until then");
   print_out(fmt::format("{}/index.html: {}\n", options.folder,
                         counted(report.cases.size(), "case", "cases")));
   return session.exit_code(kDone);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
+
 namespace ccdfuzz {
 
 RunFile resumed_run(const RunHeader& header, const std::string& output, const char* unit) {
@@ -15,6 +17,13 @@ RunFile resumed_run(const RunHeader& header, const std::string& output, const ch
                           header.shard.size(header.items), unit, path));
   }
   return file;
+}
+
+void RoundedNumbers::add(const Case& value) {
+  const auto of_query = value.origin.more.find("rounded");
+  if (of_query == value.origin.more.end()) return;
+  ++queries;
+  numbers += parse_whole("", of_query->second).value_or(0);
 }
 
 int Session::end_early(std::uint64_t done, const char* unit, const std::string& what_follows) {

@@ -26,6 +26,12 @@ namespace ccdfuzz {
 /// Throws BadInput: as RunFile::open; the output cannot be written.
 RunFile resumed_run(const RunHeader& header, const std::string& output, const char* unit);
 
+/// Numbers of query CSVs that became the nearest double, and the queries with such.
+struct RoundedNumbers {
+  std::uint64_t numbers = 0, queries = 0;
+  void add(const Case& value);
+};
+
 /// The common part of commands: threads, --json, a table or rows on stdout, progress, interrupts.
 class Session {
  public:
@@ -71,13 +77,14 @@ class Session {
     if (!json) print_out(text + "\n");
   }
 
-  /// stream_cases with progress, until a signal or until stop is true. work(named) and
-  /// sink(named, row) may throw BadInput, whose error it is.
+  /// stream_cases with progress, until a signal or until stop is true. Says how many numbers were
+  /// rounded. work(named) and sink(named, row) may throw BadInput, whose error it is.
   template <class Row, class Work, class Sink>
   void each_case(CaseStream cases, const Work& work, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr) {
     const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
+    RoundedNumbers rounded;
     const Result<void> read = stream_cases<Row>(
         threads, [&] { return cases.next(); },
         [&](NamedCase& named) -> Result<Row> {
@@ -88,18 +95,29 @@ class Session {
           }
         },
         [&](const NamedCase& named, Row row) {
+          rounded.add(named.value);
           sink(named, std::move(row));
           progress_.show(named.share, named.id, ++done, "cases");
         },
         [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();
     need(read);
+    note(rounded);
+  }
+  void note(const RoundedNumbers& rounded) {
+    if (rounded.queries == 0) return;
+    remark("{} numbers of {} queries are no doubles and were rounded", rounded.numbers,
+           rounded.queries);
   }
 
   /// True iff a signal asked the command to end.
   bool interrupted() const { return catch_interrupts(); }
-  /// The exit code of the command: `code`, or that of the signal.
-  int exit_code(int code) const { return interrupted() ? interrupted_exit_code() : code; }
+  /// The exit code of the command: `code`, or that of the signal, which it says.
+  int exit_code(int code) {
+    if (!interrupted()) return code;
+    remark("interrupted: what is shown is of what was done until then");
+    return interrupted_exit_code();
+  }
 
   /// Says on stderr after how much a signal ended the command, and what follows from that; the exit
   /// code.

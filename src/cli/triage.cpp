@@ -132,6 +132,7 @@ class TriageRun {
     counts_.files = files.size();
     arguments_.target ? triage_claims(files) : triage_cases(files);
     session_.progress().clear();
+    session_.note(rounded_);
     if (session_.json) print_row(counts_);
     const bool asked_plugins = std::ranges::any_of(arguments_.methods, names_plugin);
     session_.summary(to_text(counts_,
@@ -204,6 +205,7 @@ class TriageRun {
         for (CaseStream cases({file}); !is_over();) {
           CCDFUZZ_TRY(const auto input, next_checked(cases));
           if (!input) break;
+          rounded_.add(input->value);
           add(input->id, input->value);
         }
       } else {
@@ -298,6 +300,7 @@ class TriageRun {
   Session& session_;
   const Stopwatch watch_;
   TriageCounts counts_;
+  RoundedNumbers rounded_;
 };
 
 int run_triage(const TriageArguments& arguments, Session& session) {

@@ -1,5 +1,7 @@
 #include "eval/race.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -9,27 +11,37 @@ namespace ccdfuzz {
 
 void Race::ask(const Query& query) {
   for (Runner& runner : runners_) {
-    Method& method = methods_[runner.spec];
-    const bool is_first = runner.tally.n + runner.tally.not_asked() == 0;
-    if (is_first) method.answer(query, options_);  // warm
-    double least = std::numeric_limits<double>::infinity();
-    Answer answer;
-    for (int i = 0; i < kRepeats && !(i > 0 && least > kLong); ++i) {
-      const double start = thread_cpu_seconds();
-      answer = timed_answer(method, query, options_);
-      least = std::min(least, thread_cpu_seconds() - start);
-      if (options_.max_seconds < SearchOptions::kNoTimeLimit) {
-        const double over = answer.seconds - options_.max_seconds;
-        runner.overrun = std::max(runner.overrun.value_or(0), over);
-      }
+    try {
+      time(runner, query);
+    } catch (const MethodFault& fault) {
+      runner.tally.add({}, Outcome::kError, std::nullopt);
+      if (runner.fault.empty()) runner.fault = fmt::format("{}: {}", fault.name(), fault.what());
     }
-    answer.seconds = least;
-    runner.tally.add(answer,
-                     answer.verdict == Verdict::kRefused     ? Outcome::kNotAsked
-                     : answer.verdict == Verdict::kUndecided ? Outcome::kUndecided
-                                                             : Outcome::kUnknown,
-                     std::nullopt);
   }
+}
+
+void Race::time(Runner& runner, const Query& query) {
+  Method& method = methods_[runner.spec];
+  const bool is_first = runner.tally.n + runner.tally.not_asked() == 0;
+  if (is_first) method.answer(query, options_);  // warm
+  double least = std::numeric_limits<double>::infinity();
+  Answer answer;
+  for (int i = 0; i < kRepeats && !(i > 0 && least > kLong); ++i) {
+    const double start = thread_cpu_seconds();
+    answer = timed_answer(method, query, options_);
+    const double taken = thread_cpu_seconds() - start;
+    least = std::min(least, method.runs_elsewhere() ? answer.seconds : taken);
+    if (options_.max_seconds < SearchOptions::kNoTimeLimit) {
+      const double over = answer.seconds - options_.max_seconds;
+      runner.overrun = std::max(runner.overrun.value_or(0), over);
+    }
+  }
+  answer.seconds = least;
+  runner.tally.add(answer,
+                   answer.verdict == Verdict::kRefused     ? Outcome::kNotAsked
+                   : answer.verdict == Verdict::kUndecided ? Outcome::kUndecided
+                                                           : Outcome::kUnknown,
+                   std::nullopt);
 }
 
 }  // namespace ccdfuzz

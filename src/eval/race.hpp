@@ -10,8 +10,8 @@
 namespace ccdfuzz {
 
 /// Times methods on the same queries, by turns in one thread. Their ratios then depend little on
-/// the machine and its load. Times are CPU time: the least of up to kRepeats answers, of one where
-/// that took longer than kLong.
+/// the machine and its load. Times are the least of up to kRepeats answers, of one where that took
+/// longer than kLong. They are CPU time, but of a plug-in what an answer says (timed_answer).
 class Race {
  public:
   static constexpr int kRepeats = 3;
@@ -19,7 +19,9 @@ class Race {
 
   struct Runner {
     std::string spec;
-    Tally tally = {};  ///< by outcomes undecided (the time is a lower bound), not asked and unknown
+    /// By outcomes undecided (the time is a lower bound), not asked, error and unknown.
+    Tally tally = {};
+    std::string fault = {};  ///< the first, in words; mostly none
     /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a
     /// limit.
     std::optional<double> overrun = {};
@@ -36,6 +38,8 @@ class Race {
   const std::vector<Runner>& runners() const { return runners_; }
 
  private:
+  void time(Runner& runner, const Query& query);
+
   SearchOptions options_;
   MethodSet methods_;
   std::vector<Runner> runners_;

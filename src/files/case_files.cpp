@@ -48,9 +48,16 @@ class JsonCases : public CaseFile {
         return input_error(fmt::format("{}:{}", lines_.path(), lines_.line()),
                            fmt::format("is one of more than {} blank lines", kMostBlankLines));
       }
+      std::string_view json = *text;
+      std::string of_many_lines;  // one case, as finds are kept
+      if (!whole && !any_ && trimmed(json) == "{") {
+        CCDFUZZ_TRY(const auto rest, lines_.next(true));
+        of_many_lines = fmt::format("{{{}", rest.value_or(""));
+        json = of_many_lines;
+      }
       const std::string id =
           whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
-      CCDFUZZ_TRY(auto value, parse_case(*text, id));
+      CCDFUZZ_TRY(auto value, parse_case(json, id));
       any_ = true;
       return NamedCase{id, std::move(value), lines_.path()};
     }
@@ -121,6 +128,7 @@ Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const 
     CCDFUZZ_TRY(auto reader, CsvReader::open(path, csv));
     return std::make_unique<CsvCases>(std::move(reader), csv.round);
   }
+  if (path == "-") return tl::unexpected(case_file_kind(path).error());
   // A wrong name is told as such before a wrong ending.
   CCDFUZZ_TRY(auto lines, LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes));
   const auto kind = case_file_kind(path);

@@ -97,8 +97,14 @@ std::optional<CsvLayout> csv_layout_of_path(const std::string& path) {
       if (part.string().find(name_of(layout)) != std::string::npos) return layout;
     }
   }
-  if (path.ends_with("ee.csv")) return CsvLayout::kEdgeEdge;
-  if (path.ends_with("vf.csv")) return CsvLayout::kVertexFace;
+  // Not of "knee.csv".
+  const std::string name = " " + p.filename().string();
+  const auto ends_in_word = [&](std::string_view word) {
+    return name.ends_with(word) &&
+           std::isalpha(static_cast<unsigned char>(name[name.size() - word.size() - 1])) == 0;
+  };
+  if (ends_in_word("ee.csv")) return CsvLayout::kEdgeEdge;
+  if (ends_in_word("vf.csv")) return CsvLayout::kVertexFace;
   return std::nullopt;
 }
 

@@ -42,6 +42,12 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
   return bytes;
 }
 
+/// Of a tree that cannot be read nothing is known.
+InputError unread(InputError error) {
+  error.is_limit = true;
+  return error;
+}
+
 }  // namespace
 
 std::string path_beside(const std::string& case_path, std::string_view ending) {
@@ -61,7 +67,7 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
   if (tree.length > ZSTD_compressBound(kMaxTreeBytes)) {
     return input_error(path, fmt::format("a tree of {} bytes is larger than any", tree.length));
   }
-  CCDFUZZ_TRY(const auto frame, read_range(path, tree.offset, tree.length));
+  CCDFUZZ_TRY(const auto frame, read_range(path, tree.offset, tree.length).map_error(unread));
   const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN ||
       ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size()) {
@@ -87,7 +93,7 @@ Result<std::string> tree_of(const Truth& truth, const std::string& trees) {
   const MissTree* const miss = miss_tree(truth);
   if (miss == nullptr) return "";
   const auto named = [](const InputError& error) {
-    return InputError{"truth.certificate.clear.tree", error.message()};
+    return InputError{"truth.certificate.clear.tree", error.message(), error.is_limit};
   };
   return read_tree(trees, miss->tree).map_error(named);
 }

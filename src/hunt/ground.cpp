@@ -192,8 +192,7 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     return input_error(
         "--methods",
         methods.size() == 1
-            ? fmt::format("{} takes no query that is drawn; bodies are drawn if it takes_bodies",
-                          methods.front())
+            ? fmt::format("{} takes no query of those that are asked for", methods.front())
             : fmt::format("no query is taken by all of {}: hunt them apart",
                           fmt::join(methods, ", ")));
   };

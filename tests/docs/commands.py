@@ -22,7 +22,7 @@ Which options does each command have? This page is what `ccdfuzz COMMAND --help`
 def help_of(binary, *command):
     run = subprocess.run([binary, *command, '--help'], capture_output=True, text=True, check=True)
     # The number of cores, the default of --threads, differs between machines.
-    return re.sub(r'(--threads .*?)(=\d+|\[\d+\])', lambda m: m[1] + ' ' * len(m[2]), run.stdout.rstrip())
+    return re.sub(r'(--threads [^\[=]*)(=\d+|\[\d+\])', lambda m: m[1] + ' ' * len(m[2]), run.stdout.rstrip())
 
 
 def wrapped(line):

@@ -26,7 +26,7 @@ bool reaches_further(const Clearance& x, const Clearance& y) {
 /// Takes over the case's own clearance, which holds, if it reaches further than the one found.
 void keep_better_clearance(const Case& value, const Result<std::string>& tree, Decision& found) {
   const auto& own = value.truth.clearance;
-  if (!own) return;
+  if (!own || !tree) return;
   if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
   found.truth.clearance = own;
   found.tree.clear();
@@ -47,10 +47,18 @@ Completed complete_truth(const Case& value, const Result<std::string>& tree,
 
   const std::optional<Rational> contact = found.truth.contact_by();
   const auto check = [&value](const std::string& bytes) { return check_absence(value, bytes); };
-  if (const auto holds = truth.clearance ? tree.and_then(check) : Result<void>(); !holds) {
+  const auto holds = truth.clearance ? tree.and_then(check) : Result<void>();
+  const bool is_unread = !tree && tree.error().is_limit;
+  if (is_unread) {
+    truth.clearance.reset();
+    truth.proof = kProofWords[2];
+  }
+  const bool touches_by_end =
+      value.truth.collides == false && contact && *contact <= exact(value.query.t_max);
+  if (!holds && !is_unread) {
     out.refuted = true;
     out.note = holds.error().message();
-  } else if (contact && claimed && *contact < *claimed) {
+  } else if (touches_by_end || (contact && claimed && *contact < *claimed)) {
     out.refuted = true;
     out.note = fmt::format("claimed clear until t = {}, but there is a contact by t = {}",
                            to_text(*claimed), to_text(*contact));

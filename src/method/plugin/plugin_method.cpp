@@ -47,6 +47,11 @@ std::string text_of(const Answer& answer) {
   return answer.verdict == Verdict::kHit ? fmt::format("{} at {}", word, *answer.toi) : word;
 }
 
+/// The note of a fault that is a plug-in's only answer to what it is.
+std::string when_described(const Fault& fault) {
+  return "when asked what it is: " + fault.note;
+}
+
 /// What a plug-in says of itself, or does in place of that.
 tl::expected<PluginDescription, Fault> described_by(Child& worker, const PluginSpec& spec) {
   return worker.ask(describe_request(spec.options)).and_then(read_description);
@@ -81,7 +86,9 @@ class PluginMethod : public Method {
 
  private:
   Answered answer_or_throw(const Query& query, const SearchOptions& options) {
-    if (!plugin_->description) throw_fault(plugin_->description.error());
+    if (const auto& own = plugin_->description; !own) {
+      throw_fault({own.error().name, when_described(own.error())});
+    }
     const std::optional<bool> swapped = plugin_->description->domain.order_of(query);
     if (!swapped) {
       return no_answer(Verdict::kRefused,
@@ -161,7 +168,7 @@ class PluginMethod : public Method {
   tl::expected<PluginAnswer, Fault> ask_for_any(const Query& query, const SearchOptions& options) {
     if (!worker_.runs()) {
       const auto described = described_by(worker_, plugin_->spec);
-      if (!described) throw_fault(described.error());
+      if (!described) throw_fault({described.error().name, when_described(described.error())});
       has_repeated_ = false;
       if (!plugin_->is_ours) check_description(described->line);
     }
@@ -292,7 +299,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.source = plugin.spec.path;
   if (!plugin.description) {
     const Fault& fault = plugin.description.error();
-    info.fault = fmt::format("{} when asked what it is: {}", fault.name, fault.note);
+    info.fault = fault.name + " " + when_described(fault);
     info.description = info.fault;
     return info;
   }
