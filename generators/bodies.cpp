@@ -10,6 +10,7 @@
 #include "generators/attempts.hpp"
 #include "generators/just_missing.hpp"
 #include "generators/prescribe.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/whole_frame.hpp"
 
 namespace ccdfuzz {
@@ -319,6 +320,12 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   return out;
 }
 
+namespace {
+
+/// Two bodies that touch without depth, by t* at the latest: they move along the plane that is
+/// between them. So a vertex passes exactly through another, or along a face. A ball touches an
+/// edge or a vertex for one instant, as it passes by. The oracle decides. RP: kept is what is apart
+/// at 0 and touches. NMN: they are moved apart by a step (just_missing.hpp).
 Attempted grazing_bodies_case(const GeneratorOptions& options, Draw& draw) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
@@ -329,6 +336,8 @@ Attempted grazing_bodies_case(const GeneratorOptions& options, Draw& draw) {
   if (!first || first->t == 0) return tl::unexpected(Discard::kFirstContact);
   return made;
 }
+
+}  // namespace
 
 std::optional<Case> case_of_bodies(const Query& query) {
   Case out;
@@ -345,6 +354,16 @@ std::optional<Case> case_of_bodies(const Query& query) {
   out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
   out.origin.generator = "mutant";
   return out;
+}
+
+std::span<const FamilyRow> body_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats",
+       classes(kAllClasses, kAllClasses, {}, kAllClasses), framed_bodies, own_shapes},
+      {Family::kBodiesGrazing, "bodies-grazing", "convex bodies that touch without depth",
+       classes(kAllClasses, {}, {}, kAllClasses), grazing_bodies_case, own_shapes},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

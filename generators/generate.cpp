@@ -165,7 +165,7 @@ Attempted case_anywhere(const GeneratorOptions& options, Draw& draw) {
 
 Attempt* attempt_of(const GeneratorOptions& options) {
   if (options.family == Family::kAnywhere) return case_anywhere;
-  if (Attempt* own = row_of(options.family).attempt) return own;
+  if (const auto own = std::get_if<Attempt*>(&row_of(options.family).made_by)) return *own;
   return is_shaped(options) ? shaped_case : quadratic_case;
 }
 
@@ -189,7 +189,8 @@ Generated generate(const GeneratorOptions& options, Draw& draw) {
       },
       [](const auto& tried) { return tried.has_value(); });
   // Scenes of patches are checked where they become cases.
-  CCDFUZZ_VERIFY(row_of(options.family).attempt == nullptr || check_case(*made));
+  CCDFUZZ_VERIFY(!std::holds_alternative<Attempt*>(row_of(options.family).made_by) ||
+                 check_case(*made));
   out.value = *made;
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);
@@ -205,6 +206,19 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   out.value.origin.seed = options.seed;
   out.value.origin.index = index;
   return out;
+}
+
+std::span<const FamilyRow> other_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kTwins, "twins", "two control points a few ulps apart hide under a third",
+       classes(kAllClasses)},
+      // Or a planted one (planted.hpp), in other coordinates (elsewhere.hpp). It says of the time
+      // before what that one does.
+      {Family::kAnywhere, "anywhere",
+       "contacts of these families and others in any scale and place; some witness only",
+       classes(kAllClasses)},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

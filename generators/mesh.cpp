@@ -11,6 +11,7 @@
 #include "generators/attempts.hpp"
 #include "generators/bodies.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/shaped/families.hpp"
 
 namespace ccdfuzz {
 
@@ -220,8 +221,20 @@ bool is_hidden_by_a_graze(const Query& query, const Witness& first, size_t side,
          depth_until(of_face(query, touched), query.t_max) >= 0x1p-10 * query.t_max * way.norm();
 }
 
-}  // namespace
-
+/// A convex body and a mesh (case/mesh.hpp). They touch as two bodies of framed_bodies do, of which
+/// one gave its points to the mesh. What is in contact is inside of a face, on an edge of two
+/// faces, or a corner of a fan. More faces are put to edges that there are. Their third corners are
+/// those of others, across the edge in the face's plane, far away along the edge, or anywhere. So
+/// there are strips, folded sheets and long thin triangles, and some close a tetrahedron. In one
+/// mesh of four the body nearly grazes a face before. All numbers are floats.
+///
+/// The oracle decides. Kept is what touches at t* first, or does not. One-sided, the faces that are
+/// touched are fronts. In half of the cases RN, which end after t*, the body comes from behind.
+///
+/// Those of mesh-grazing touch as bodies of grazing_bodies_case do. A last face is across the way
+/// of the body. Kept is what touches another face first, without depth, and then passes well
+/// through the last. Whoever stops at the face that is touched first misses that. One-sided, all
+/// faces are fronts that can be.
 Attempted mesh_case(const GeneratorOptions& options, Draw& draw) {
   const bool has_fronts_alone = is_one_sided(options.family);
   const bool is_behind = has_fronts_alone && options.kind == CaseKind::kRN && draw.coin();
@@ -262,6 +275,23 @@ Attempted mesh_case(const GeneratorOptions& options, Draw& draw) {
     return tl::unexpected(Discard::kFirstContact);
   }
   return made;
+}
+
+}  // namespace
+
+std::span<const FamilyRow> mesh_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kMesh, "mesh", "a convex body against 1 to 8 triangles",
+       classes(kAllClasses, kAllClasses, {}, kAllClasses), mesh_case, own_shapes},
+      {Family::kMeshOneSided, "mesh-one-sided", "the same with fronts alone",
+       classes(kAllClasses, kAllClasses, {}, kAllClasses), mesh_case, own_shapes},
+      {Family::kMeshGrazing, "mesh-grazing", "a body grazes a mesh, and hits it later",
+       classes(kAllClasses), mesh_case, own_shapes},
+      // A face in the plane of the motion is none of the fronts.
+      {Family::kMeshGrazingOneSided, "mesh-grazing-one-sided", "the same with fronts alone; not FF",
+       classes(kAllButFF), mesh_case, own_shapes},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

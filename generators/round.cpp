@@ -5,6 +5,7 @@
 #include "base/verify.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "generators/attempts.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/whole_frame.hpp"
 
@@ -146,9 +147,25 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
   return out;
 }
 
+namespace {
+
+/// As draw_round_case makes them, of the families round and apart.
 Attempted round_case(const GeneratorOptions& options, Draw& draw) {
   const bool apart = options.family == Family::kApart;
   return as_asked(draw_round_case(options.contact, apart, draw), options);
+}
+
+}  // namespace
+
+std::span<const FamilyRow> round_families() {
+  static constexpr std::array kOfARound = {ContactClass::kFF, ContactClass::kVF};
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kRound, "round", "exact spheres, cylinders, cones and tori; FF VF",
+       classes(kOfARound, kOfARound), round_case, own_shapes},
+      {Family::kApart, "apart", "the same with a separation; FF VF", classes(kOfARound, kOfARound),
+       round_case, own_shapes},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -24,9 +24,14 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
   return true;
 }
 
+namespace {
+
+/// A regular or interior-time contact whose patch 1 is moved along the normal by the separation.
+/// The normal's length is a whole number, so that its plane proves all times before.
 Attempted separated_case(const GeneratorOptions& options, Draw& draw) {
   const Family family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
-  PlacedScene placed = row_of(family).make(options.contact, shapes_of(options, draw), draw);
+  const auto make = std::get<FamilyRow::Make*>(row_of(family).made_by);
+  PlacedScene placed = make(options.contact, shapes_of(options, draw), draw);
   placed.placement.frame = whole_normal_frame(draw);
   std::optional<Case> made = to_case(placed.scene, placed.placement, draw);
   if (!made) return tl::unexpected(Discard::kRoundTrip);
@@ -46,6 +51,16 @@ Attempted separated_case(const GeneratorOptions& options, Draw& draw) {
   for (int k = 0; k < 3; ++k) way[k] = way[k].scaled(exponent);
   if (!move_apart(made->query, way)) return tl::unexpected(Discard::kRoundTrip);
   return as_asked(*std::move(made), options);
+}
+
+}  // namespace
+
+std::span<const FamilyRow> separated_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kSeparated, "separated", "regular contacts at a separation",
+       classes(kAllClasses, kAllClasses), separated_case},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

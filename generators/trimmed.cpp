@@ -7,6 +7,7 @@
 #include "generators/draw_trim.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/weighted.hpp"
 
@@ -149,8 +150,12 @@ bool touch_later(Contact& q, Draw& draw) {
   return is_valid(q.query);
 }
 
-}  // namespace
-
+/// A regular one-sided case with loops about the contact, of one surface or both. The contact of a
+/// positive is inside of a loop, on an edge, on a vertex or one float inside. Or it is in a sliver,
+/// where loops touch, or on an island in a hole. Else the whole patches touch one float outside or
+/// in a hole at t*. Those with loops touch at another place later, at t_max, which the witness
+/// says. A moving plane proves that nothing touches before t*. A negative ends at t*, when only the
+/// whole patches touch. A search in exact arithmetic proves it.
 Attempted trimmed_case(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, draw));
   Contact q = *contact_of(regular);
@@ -190,6 +195,22 @@ Attempted trimmed_case(const GeneratorOptions& options, Draw& draw) {
   say_clear(out, out.query.t_max);
   truth.clear_until = exact(out.query.t_max);
   return out;
+}
+
+/// True iff a patch may be trimmed.
+bool have_a_surface(ContactClass, const ShapePair& shapes) {
+  return shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
+}
+
+}  // namespace
+
+std::span<const FamilyRow> trimmed_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kTrimmed, "trimmed",
+       "with loops at the contact; RN: the whole patches alone touch, in a hole",
+       classes(kAllClasses, kAllClasses), trimmed_case, have_a_surface},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -12,6 +12,7 @@
 #include "generators/bodies.hpp"
 #include "generators/finalize.hpp"
 #include "generators/just_missing.hpp"
+#include "generators/shaped/families.hpp"
 
 namespace ccdfuzz {
 
@@ -119,6 +120,20 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
   }
 }
 
+namespace {
+
+/// Two bodies of which one turns, or both. They touch as those of framed_bodies do. At t* < 1 a
+/// turn is the identity, so that the contact is planted there whatever turns. `from` is −t*·d
+/// beside a number that makes its length about 1, and `to` is (1 − t*)·d so. All numbers are
+/// floats. With options.plane bodies turn by cosine and sine, else by quaternions. Kept is what the
+/// oracle proves to touch at t* first, up to eps_t. RP: t* < t_max ≤ 1. RN: the same bodies with
+/// t_max = t* − eps_t.
+///
+/// Those of turning-grazing and spinning-grazing touch as bodies of grazing_bodies_case do, and
+/// turn about the normal of the plane that they move along. So they touch without depth. A spin is
+/// about the point that touches. What touches is a vertex and a vertex or an edge, for else the
+/// contact would begin before t*, at no rational time. NMN: they are moved apart by a step
+/// (just_missing.hpp).
 Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
   const auto change = [&](Case& made, size_t side, double t) {
     const bool spins = options.family == Family::kSpinningGrazing;
@@ -149,6 +164,10 @@ Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
   return out;
 }
 
+/// The same of bodies that spin: as spin_back says, from where those of framed_bodies touch at t*.
+/// So they touch near t*, and as the class says but for that rounding. Kept is what the oracle
+/// proves to touch within 2^-10 of t* first. RP: t* < t_max ≤ 1. RN: t_max is eps_t or a little
+/// more before the contact.
 Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
   Attempted made = bodies_before_one(options, draw, [&](Case& touching, size_t side, double t) {
     spin_back(touching.query.patches[side], t, options.plane, draw);
@@ -167,6 +186,25 @@ Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
   say_clear(*made, round_down(rounded_down(*truth.clear_until, step) - step));
   CCDFUZZ_VERIFY(covers(*truth.clearance, exact(made->query.t_max)));
   return made;
+}
+
+}  // namespace
+
+std::span<const FamilyRow> turning_families() {
+  static constexpr std::array kOfACorner = {ContactClass::kVE, ContactClass::kVV};
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kTurning, "turning", "convex bodies of which one turns, or both",
+       classes(kAllClasses, kAllClasses), turning_case, own_shapes},
+      {Family::kSpinning, "spinning", "the same by an angular velocity",
+       classes(kAllClasses, kAllClasses), spinning_case, own_shapes},
+      // A contact of others begins at no rational time.
+      {Family::kTurningGrazing, "turning-grazing",
+       "bodies-grazing that turn about the plane's normal; VE VV",
+       classes(kOfACorner, {}, {}, kOfACorner), turning_case, own_shapes},
+      {Family::kSpinningGrazing, "spinning-grazing", "the same by an angular velocity; VE VV",
+       classes(kOfACorner, {}, {}, kOfACorner), turning_case, own_shapes},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -5,6 +5,7 @@
 #include "bezier/exact_patch.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/exact_sum.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/features.hpp"
 #include "generators/shaped/shaped_case.hpp"
 
@@ -121,6 +122,12 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
   return q;
 }
 
+namespace {
+
+/// Half of the positives and all negatives are regular one-sided cases whose control points are
+/// pulled by powers of two. The plane that separates them before t* stays. Control points that have
+/// no share in the contact then get a weight of any kind. The other positives are as
+/// draw_balanced_contact makes them, and claim the contact alone.
 Attempted weighted_case(const GeneratorOptions& options, Draw& draw) {
   std::optional<Contact> q;
   Case out;
@@ -148,6 +155,22 @@ Attempted weighted_case(const GeneratorOptions& options, Draw& draw) {
     return tl::unexpected(Discard::kRoundTrip);
   }
   return as_asked(std::move(out), options);
+}
+
+/// True iff a patch has more than one control point.
+bool have_weights(ContactClass, const ShapePair& shapes) {
+  return shapes[0].kind != ShapeKind::kPoint || shapes[1].kind != ShapeKind::kPoint;
+}
+
+}  // namespace
+
+std::span<const FamilyRow> weighted_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kWeighted, "weighted",
+       "rational patches, with weights of any kind; half witness only",
+       classes(kAllClasses, kAllClasses), weighted_case, have_weights},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <variant>
 
 #include "generators/attempts.hpp"
 #include "generators/shaped/contact_scene.hpp"
@@ -17,25 +18,56 @@ struct PlacedScene {
 
 /// What is known of a family.
 struct FamilyRow {
+  using Classes = std::span<const ContactClass>;
+  /// Of each kind in turn: RP, RN, NHP, NMN. RN, where a moving plane separates them before t*.
+  using ClassesOfKinds = std::array<Classes, kCaseKinds.size()>;
   using Make = PlacedScene(ContactClass contact, const ShapePair& shapes, Draw& draw);
   using Fits = bool(ContactClass contact, const ShapePair& shapes);
 
-  Family family;
+  Family family{};
   std::string_view name;
   std::string_view description;  ///< in a few words, without a full stop
-  /// The classes that it has, of each kind in turn: RP, RN, NHP, NMN. RN, where a moving plane
-  /// separates them before t*.
-  std::array<std::span<const ContactClass>, kCaseKinds.size()> classes;
-  /// A scene of any shapes that have the features of the class and fit. Null for those that are
-  /// made in another way.
-  Make* make = nullptr;
-  Fits* fits = nullptr;        ///< null: all shapes do
-  Attempt* attempt = nullptr;  ///< null: those of patches with velocities, without weights or loops
+  ClassesOfKinds classes{};      ///< those that it has
+  /// A scene, of patches with velocities, without weights or loops; or one attempt at a case.
+  /// Neither: generate() makes them by itself.
+  std::variant<std::monostate, Make*, Attempt*> made_by{};
+  Fits* fits =
+      nullptr;  ///< the shapes that it can have beside the features of the class; null: all
 };
 
+inline constexpr FamilyRow::Classes kAllClasses = kContactClasses;
+inline constexpr std::array kAllButFF = {ContactClass::kEF, ContactClass::kEE, ContactClass::kVF,
+                                         ContactClass::kVE, ContactClass::kVV};
+/// By default none.
+constexpr FamilyRow::ClassesOfKinds classes(FamilyRow::Classes positives,
+                                            FamilyRow::Classes negatives = {},
+                                            FamilyRow::Classes near_hits = {},
+                                            FamilyRow::Classes near_misses = {}) {
+  return {positives, negatives, near_hits, near_misses};
+}
+
+/// The rows of each file that makes cases: moving_variants.cpp, odd_variants.cpp,
+/// extended_contacts.cpp, generate.cpp, and those of the folder above.
+std::span<const FamilyRow> moving_families();
+std::span<const FamilyRow> odd_families();
+std::span<const FamilyRow> extended_families();
+std::span<const FamilyRow> other_families();
+std::span<const FamilyRow> body_families();
+std::span<const FamilyRow> weighted_families();
+std::span<const FamilyRow> round_families();
+std::span<const FamilyRow> trimmed_families();
+std::span<const FamilyRow> ends_families();
+std::span<const FamilyRow> separated_families();
+std::span<const FamilyRow> turning_families();
+std::span<const FamilyRow> mesh_families();
+
+/// The one of a family.
 const FamilyRow& row_of(Family family);
-/// True iff no shapes may be asked for.
-bool has_own_shapes(Family family);
+/// Fits, of a family with shapes of its own: none may be asked for.
+FamilyRow::Fits own_shapes;
+inline bool has_own_shapes(Family family) {
+  return row_of(family).fits == own_shapes;
+}
 
 /// A random frame; shift and drift of many bits, as large as the patches.
 Placement random_placement(Draw& draw);
@@ -62,30 +94,4 @@ ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
                             Draw& draw);
 
-namespace families {
-
-/// moving_variants.cpp: `touching`, or varied in its motion or its scale.
-FamilyRow::Make regular, interior_time, at_start, resting, sliding, flat_grazing, common_velocity,
-    scaled;
-
-/// odd_variants.cpp: varied in its shape or its numbers.
-FamilyRow::Make degenerate, sliver, high_curvature, mixed_scales, far_away, concurrent_lines;
-
-/// extended_contacts.cpp: more than one point, all in the contact plane but for area, at
-/// t* = t_max = 1. The contact that the scene names is one of them.
-///   shared_edge  an edge of one patch is a part of an edge of the other, or all of it
-///   ruled        one patch touches the flat other one along a line of its parameters
-///   several      one patch touches the straight other one in two points, or more
-///   area         one patch is a part of the other: both flat, or curved and moved by one velocity
-/// Before t* the plane separates the patches, but curved ones of area, and several of FF, whose
-/// heights the checker does not see to be ≥ 0.
-FamilyRow::Make shared_edge, ruled, several, area;
-FamilyRow::Fits have_edges_alike, have_a_line, have_two_points, are_equal_surfaces;
-
-/// True iff a patch has more than one control point.
-FamilyRow::Fits have_weights;
-/// True iff a patch may be trimmed.
-FamilyRow::Fits have_a_surface;
-
-}  // namespace families
 }  // namespace ccdfuzz

@@ -54,15 +54,6 @@ size_t plate_of(ContactClass contact) {
   return contact == ContactClass::kEF ? 0 : 1;
 }
 
-/// The regular scene, for `change` to vary.
-template <class Change>
-PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
-                    const Change& change) {
-  PlacedScene made = families::regular(contact, shapes, draw);
-  change(made);
-  return made;
-}
-
 }  // namespace
 
 Placement random_placement(Draw& draw) {
@@ -96,34 +87,45 @@ ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
   return scene;
 }
 
-PlacedScene families::regular(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+namespace {
+
+PlacedScene regular_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement = random_placement(draw);
   made.scene = touching(contact, shapes, draw);
   return made;
 }
 
-PlacedScene families::interior_time(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+/// The regular scene, for `change` to vary.
+template <class Change>
+PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
+                    const Change& change) {
+  PlacedScene made = regular_variant(contact, shapes, draw);
+  change(made);
+  return made;
+}
+
+PlacedScene interior_time_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw,
                  [&](PlacedScene& made) { made.scene.t = time_before_one(draw); });
 }
 
-PlacedScene families::at_start(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene at_start_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw, [&](PlacedScene& made) { let_start(made.scene, draw); });
 }
 
-PlacedScene families::resting(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene resting_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw, [](PlacedScene& made) { let_rest(made.scene); });
 }
 
-PlacedScene families::common_velocity(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene common_velocity_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw, [&](PlacedScene& made) {
     const long exponent = draw.integer(8, 20);
     made.placement.drift = draw.vector(10, exponent - 10);
   });
 }
 
-PlacedScene families::scaled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene scaled_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw, [&](PlacedScene& made) {
     made.scene.t_max = 2;
     // Most where products of two projections underflow; a subnormal has no room for all bits.
@@ -137,7 +139,7 @@ PlacedScene families::scaled(ContactClass contact, const ShapePair& shapes, Draw
 /// One patch, the plate, is flat with straight edges and moves rigidly. The other touches its plane
 /// in one point, which slides onto the plate at t* and stays in touch while it is there. t* is the
 /// first contact if that point comes over the plate's boundary.
-PlacedScene families::sliding(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene sliding_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement = random_placement(draw);
   ContactScene& scene = made.scene;
@@ -171,7 +173,7 @@ PlacedScene families::sliding(ContactClass contact, const ShapePair& shapes, Dra
 
 /// Nearly flat, far away on a plane through the origin that is the contact plane. Parameters have
 /// few bits, so that heights of 2^-20 and coordinates up to 2^16 fit into one double.
-PlacedScene families::flat_grazing(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene flat_grazing_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   constexpr long kFlatness = 20;
   PlacedScene made;
   made.placement.frame = random_frame(draw);
@@ -184,9 +186,42 @@ PlacedScene families::flat_grazing(ContactClass contact, const ShapePair& shapes
   return made;
 }
 
+}  // namespace
+
+std::span<const FamilyRow> moving_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kRegular, "regular", "the contact that --contact names, and nothing else",
+       classes(kAllClasses, kAllClasses, kAllClasses, kAllClasses), regular_variant},
+      // They touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
+      {Family::kFlatGrazing, "flat-grazing",
+       "nearly flat, sliding along each other on a plane through the origin", classes(kAllClasses),
+       flat_grazing_variant},
+      // Against pull-apart relative to the intercept.
+      {Family::kCommonVelocity, "common-velocity",
+       "both with the same velocity of 2^8 to 2^20 on top of their own",
+       classes(kAllClasses, kAllClasses), common_velocity_variant},
+      // Most near where products of two underflow.
+      {Family::kScaled, "scaled", "all numbers times 2^k, k from -1000 to 900",
+       classes(kAllClasses, kAllClasses), scaled_variant},
+      // t* is a dyadic rational.
+      {Family::kInteriorTime, "interior-time", "t* < t_max", classes(kAllClasses, kAllClasses),
+       interior_time_variant},
+      // They then cross, part or both.
+      {Family::kAtStart, "at-start", "in touch at t = 0; witness only", classes(kAllClasses),
+       at_start_variant},
+      {Family::kResting, "resting",
+       "in touch from start to end, without relative velocity; witness only", classes(kAllClasses),
+       resting_variant},
+      {Family::kSliding, "sliding",
+       "slide onto each other at t* and stay in touch for a time; witness only",
+       classes(kAllClasses), sliding_variant},
+  });
+  return kRows;
+}
+
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
                             Draw& draw) {
-  PlacedScene made = families::regular(contact, shapes, draw);
+  PlacedScene made = regular_variant(contact, shapes, draw);
   let_graze(made.scene, draw);
   if (near_miss) {
     const Dyadic gap(1, draw.integer(kLeastGap, kLargestGap));

@@ -125,9 +125,7 @@ void change_sides(ContactScene& scene, Draw& draw, const Change& change) {
   }
 }
 
-}  // namespace
-
-PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene concurrent_lines_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   ContactScene& scene = made.scene;
   scene.t = Dyadic(1, -1);
@@ -150,7 +148,7 @@ PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& sh
 
 /// One patch much smaller than the other one; in space coordinates of different sizes too, up to
 /// the ends of what a double holds.
-PlacedScene families::mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene mixed_scales_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   const int shrink = -draw.integer(1, spare_bits(made.scene));
   ContactSide& smaller = made.scene.sides[draw.below(2)];
@@ -165,7 +163,7 @@ PlacedScene families::mixed_scales(ContactClass contact, const ShapePair& shapes
 }
 
 /// As far from the origin as the numbers have bits for.
-PlacedScene families::far_away(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene far_away_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement.frame = random_frame(draw);
   made.scene = coarse_scene(contact, shapes, draw);
@@ -176,7 +174,7 @@ PlacedScene families::far_away(ContactClass contact, const ShapePair& shapes, Dr
   return made;
 }
 
-PlacedScene families::degenerate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene degenerate_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   change_sides(made.scene, draw, [&](size_t s, ContactSide& side) {
     const bool lift = draw.coin();
@@ -190,7 +188,7 @@ PlacedScene families::degenerate(ContactClass contact, const ShapePair& shapes, 
   return made;
 }
 
-PlacedScene families::sliver(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene sliver_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   const int most = std::max(kLeastSqueeze, spare_bits(made.scene));
   change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
@@ -199,12 +197,37 @@ PlacedScene families::sliver(ContactClass contact, const ShapePair& shapes, Draw
   return made;
 }
 
-PlacedScene families::high_curvature(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene high_curvature_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
   change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
     scale_axes(side.points, 2, 2, draw.integer(4, 12));
   });
   return made;
+}
+
+}  // namespace
+
+std::span<const FamilyRow> odd_families() {
+  static constexpr auto kRows = std::to_array<FamilyRow>({
+      {Family::kDegenerate, "degenerate", "collapsed edges, repeated control points, no area",
+       classes(kAllClasses, kAllClasses), degenerate_variant},
+      {Family::kSliver, "sliver", "2^4 to 2^30 times as long as wide",
+       classes(kAllClasses, kAllClasses), sliver_variant},
+      {Family::kHighCurvature, "high-curvature", "much taller than wide above the contact plane",
+       classes(kAllClasses, kAllClasses), high_curvature_variant},
+      // Coordinates of sizes of their own, 2^-900 to 2^800.
+      {Family::kMixedScales, "mixed-scales",
+       "one much smaller than the other, coordinates of different sizes",
+       classes(kAllClasses, kAllClasses), mixed_scales_variant},
+      // Some as fast.
+      {Family::kFarAway, "far-away", "as far from the origin as the bits allow",
+       classes(kAllClasses, kAllClasses), far_away_variant},
+      // Exactly, or but for a few ulps: the lines that they make on every axis cross in one point.
+      {Family::kConcurrentLines, "concurrent-lines",
+       "all control points pass through one point at one time, or nearly",
+       classes(kAllClasses, kAllClasses), concurrent_lines_variant},
+  });
+  return kRows;
 }
 
 }  // namespace ccdfuzz

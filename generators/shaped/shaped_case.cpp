@@ -55,7 +55,8 @@ PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, D
   if (is_grazing(options.kind)) {
     return grazing_variant(options.kind == CaseKind::kNMN, options.contact, shapes, draw);
   }
-  return row_of(options.family).make(options.contact, shapes, draw);
+  const auto make = std::get<FamilyRow::Make*>(row_of(options.family).made_by);
+  return make(options.contact, shapes, draw);
 }
 
 }  // namespace

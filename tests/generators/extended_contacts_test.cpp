@@ -28,7 +28,8 @@ int for_each_extended_scene(Family family, const Check& check) {
         SCOPED_TRACE(fmt::format("{} {} {} {}", name_of(family), name_of(contact), to_text(first),
                                  to_text(second)));
         Draw random{Random(static_cast<std::uint64_t>(scenes))};
-        check(contact, row.make(contact, {first, second}, random).scene);
+        check(contact,
+              std::get<FamilyRow::Make*>(row.made_by)(contact, {first, second}, random).scene);
       }
     }
   }
