@@ -19,7 +19,7 @@ struct PlacedScene {
 /// What is known of a family.
 struct FamilyRow {
   using Classes = std::span<const ContactClass>;
-  /// Of each kind in turn: RP, RN, NHP, NMN. RN, where a moving plane separates them before t*.
+  /// Those of RP, RN, NHP and NMN. RN, where a moving plane separates them before t*.
   using ClassesOfKinds = std::array<Classes, kCaseKinds.size()>;
   using Make = PlacedScene(ContactClass contact, const ShapePair& shapes, Draw& draw);
   using Fits = bool(ContactClass contact, const ShapePair& shapes);

@@ -59,13 +59,13 @@ int complain(const std::string& message, int code, const std::string& command = 
 /// option's value, or what is in it or beside it.
 void name_option(const CLI::App& command, InputError& error) {
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) continue;
     const std::string kind = option->get_type_name();
-    if (option->get_positional() || (kind != "FILE" && kind != "FOLDER" && kind != "PATH"))
-      continue;
+    const bool names_files = kind == "FILE" || kind == "FOLDER" || kind == "PATH";
     for (const std::string& value : option->results()) {
       if (!error.where.starts_with(value)) continue;
       const std::string rest = error.where.substr(value.size());
-      if (!rest.empty() && rest.find_first_of("/.:") != 0) continue;
+      if (!rest.empty() && (!names_files || rest.find_first_of("/.:") != 0)) continue;
       error.where = fmt::format("{}: {}", option->get_name(), error.where);
       return;
     }

@@ -59,14 +59,12 @@ const char* contact_text(const std::optional<bool>& collides) {
 struct ImportCounts {
   std::uint64_t queries = 0, hits = 0, misses = 0, undecided = 0;
   std::uint64_t labels = 0, wrong_labels = 0;
-  std::uint64_t rounded_values = 0, rounded_queries = 0, changed = 0;
+  std::uint64_t changed = 0;
 
   /// Adds a query; true if it is one that people want to see.
   bool add(const ImportedRow& query) {
     ++queries;
     ++(!query.collides ? undecided : *query.collides ? hits : misses);
-    rounded_values += query.rounded;
-    if (query.rounded > 0) ++rounded_queries;
     if (query.label && query.in_file) ++labels;
     if (query.label_is_wrong()) ++wrong_labels;
     if (query.rounding_changed_the_truth()) ++changed;
@@ -78,10 +76,7 @@ struct ImportCounts {
                                    counted(hits, "hit", "hits"), counted(misses, "miss", "misses"));
     if (undecided > 0) text += fmt::format(", {} left to prove", undecided);
     if (labels > 0) text += fmt::format("; {} of {} labels are wrong", wrong_labels, labels);
-    if (rounded_values > 0) {
-      text += fmt::format("; {} values of {} queries rounded, which changed the truth of {}",
-                          rounded_values, rounded_queries, changed);
-    }
+    if (changed > 0) text += fmt::format("; rounding changed the truth of {}", changed);
     return text;
   }
 };

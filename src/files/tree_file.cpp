@@ -42,7 +42,7 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
   return bytes;
 }
 
-/// Of a tree that cannot be read nothing is known.
+/// Nothing is known of a tree that cannot be read.
 InputError unread(InputError error) {
   error.is_limit = true;
   return error;

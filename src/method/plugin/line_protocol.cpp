@@ -255,9 +255,7 @@ struct JsonForm<PluginDescription> {
     archive.optional("name", d.name);
     archive.optional("version", d.version);
     archive.optional("promise", d.promise);
-    archive.optional("accepts", domain.pairs, {}, [](const auto& pairs) {
-      return pairs.empty() ? "names no pair; left out, it accepts all" : "";
-    });
+    archive.optional("accepts", domain.pairs);
     archive.optional("bodies", domain.body_kinds, {}, Each{[](const BodyKind& kind) {
                        const auto& [least, most, radius] = kind;
                        return 1 <= least && least <= most && least <= kMaxControls
