@@ -218,14 +218,6 @@ Result<std::string> parse_built_in(const std::string& where, const std::string& 
   return text;
 }
 
-/// An outcome that a hunt looks for.
-Result<Outcome> parse_failing(const std::string& where, const std::string& text) {
-  const std::optional<Outcome> outcome = enum_named<Outcome>(text);
-  if (outcome && is_failure(*outcome)) return *outcome;
-  return input_error(where,
-                     fmt::format("\"{}\" is not one of missed, late, false_positive, error", text));
-}
-
 std::vector<std::string> methods_by_default() {
   std::vector<std::string> methods = default_methods();
   methods.insert(methods.begin(), "trad");
@@ -260,6 +252,11 @@ void note_differing(const HuntReport& report, Session& session) {
 }
 
 int run_hunt(const HuntArguments& arguments, Session& session) {
+  if (const auto& until = arguments.hunt.until; until && !is_failure(*until)) {
+    throw BadInput{
+        {"--until", fmt::format("{} ends no hunt: missed, late, false_positive and error do",
+                                name_of(*until))}};
+  }
   HuntArguments options = arguments;
   options.hunt.threads = session.threads;
   options.hunt.search = options.search.options();
@@ -330,10 +327,9 @@ void add_hunt(CommandLine& line) {
              "--seed then finds the same",
              1, kMostCases)
       .excludes(seconds);
-  command.parsed("--until OUTCOME", hunt.until,
+  command.choice("--until OUTCOME", hunt.until,
                  "End with the first counterexample of this outcome: missed, late, false_positive, "
-                 "error",
-                 parse_failing);
+                 "error");
   command.whole("--seed", hunt.seed, "Seed of the cases");
   command.group("What to test");
   hunt.methods = methods_by_default();

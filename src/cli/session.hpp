@@ -102,7 +102,7 @@ class Session {
         [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();
     need(read);
-    note(rounded);
+    if (!signalled) note(rounded);
   }
   void note(const RoundedNumbers& rounded) {
     if (rounded.queries == 0) return;

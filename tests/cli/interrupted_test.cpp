@@ -118,7 +118,7 @@ TEST(Interrupted, AReportOfAnEvaluationShowsWhatItRead) {
   succeeded(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c", "-o", run}));
   const Finished stopped = interrupted({"report", run, "-o", page, "--threads", "1"});
   EXPECT_EQ(stopped.code, 128 + SIGINT);
-  EXPECT_THAT(stopped.err, HasSubstr("the page shows only what was read until then"));
+  EXPECT_THAT(stopped.err, HasSubstr("what is shown is of what was done until then"));
   EXPECT_LT(page_data(page)["groups"][0]["n"], 30'000);
 }
 

@@ -223,7 +223,8 @@ TEST(Plugin, IsAtFaultWhenItRefusesToBeStartedAgain) {
                                   (folder / "started") + "\necho '{\"protocol\":1}'\n");
   std::filesystem::permissions(folder / "once", std::filesystem::perms::owner_all);
   const auto once = made("plugin-exec:" + (folder / "once"));
-  EXPECT_EQ(fault_of(*once), std::pair(std::string("refused"), std::string("not again")));
+  EXPECT_EQ(fault_of(*once),
+            std::pair(std::string("refused"), std::string("when asked what it is: not again")));
 }
 
 TEST(Plugin, IsAtFaultWhenItDescribesItselfOtherwiseWhenItIsStartedAgain) {
