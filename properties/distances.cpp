@@ -2,11 +2,10 @@
 #include <utility>
 
 #include "case/scale.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
-#include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
-#include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/round.hpp"
@@ -71,21 +70,44 @@ void check_planes_of_points(Draw& d) {
   CLAIM(is_accepted || least * (1 + power_of_two(-60)) > squared);
 }
 
-/// Proofs that patches do not touch prove nothing of distances.
-void check_proofs_of_touching(Draw& d) {
-  constexpr double kLittle = 0x1p-30;
+/// A plane through a contact, of what touches, proves no distance.
+void check_planes_of_touching(Draw& d) {
   FirstContact drawn = draw_first_contact(d);
   show(d, "query", drawn.query);
   const MovingPlane plane = supposed(find_plane(drawn.query, drawn.witness));
-  drawn.query.separation = kLittle;
+  drawn.query.separation = 0x1p-30;
   CLAIM(!check_plane(drawn.query, plane));
+}
 
-  Query linear = supposed(draw_linear(d));
-  const Decision decision = decide_linear(linear, {});
-  suppose(decision.truth.clearance.has_value());
-  show(d, "linear", linear);
-  linear.separation = kLittle;
-  CLAIM(!check_clearance(linear, *decision.truth.clearance, ""));
+/// Linear patches that are planted to come as near as the separation at t*, and farther apart
+/// before, are decided so. A float more or less of the separation changes that.
+void check_linear_clearances(Draw& d) {
+  constexpr std::array kPoints = {Shape::point(), Shape::curve(1), Shape::triangle(1)};
+  constexpr std::array kClasses = {ContactClass::kVV, ContactClass::kVE, ContactClass::kVF,
+                                   ContactClass::kEE};
+  GeneratorOptions options;
+  options.family = Family::kSeparated;
+  const std::size_t place = d.choose(kClasses.size() - 1);
+  options.contact = kClasses[place];
+  options.shapes = {Shape::point(), kPoints[place % kPoints.size()]};
+  if (options.contact == ContactClass::kEE) options.shapes->fill(Shape::curve(1));
+  if (options.contact == ContactClass::kVE && d.coin()) options.shapes->fill(Shape::curve(1));
+  Case made = generate(options, d).value;
+  Query& query = made.query;
+  if (d.coin()) std::swap(query.patches[0], query.patches[1]);
+  show(d, "case", made);
+  const Rational& t = made.truth.witness->t;
+  const auto is_clear = [&](const Rational& until, bool closed, double separation) {
+    Query asked = query;
+    asked.separation = separation;
+    return check_linear_clearance(asked, {until, closed}).has_value();
+  };
+  const double separation = query.separation;
+  CLAIM(is_clear(t, false, separation));
+  CLAIM(!is_clear(t, true, separation));
+  CLAIM(!is_clear(t + power_of_two(-40), false, separation));
+  CLAIM(!is_clear(t, false, std::nextafter(separation, HUGE_VAL)));
+  CLAIM(is_clear(t, true, std::nextafter(separation, 0)));
 }
 
 /// A hit is at the distance, as far as doubles tell, or with pops as far as cells do.
@@ -132,8 +154,12 @@ std::vector<Property> distances_claims() {
        "A plane of two points is accepted iff they are no nearer than the separation, to 61 bits",
        "src/certify/checker/check_plane.hpp", check_planes_of_points},
       {"separation.refuses_proofs_of_touching",
-       "Planes and linear decisions, which prove that nothing touches, prove no distance",
-       "src/certify/checker/check_plane.hpp", check_proofs_of_touching},
+       "A plane that proves that nothing touches before a contact proves no distance",
+       "src/certify/checker/check_plane.hpp", check_planes_of_touching},
+      {"separation.linear_clearance",
+       "Linear patches are decided to be clear up to the time at which they are planted to come as "
+       "near as the separation, and no longer, to the last float of it",
+       "src/certify/checker/check_linear.hpp", check_linear_clearances},
       {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
        kCertified, check_linear_apart},
   };

@@ -4,6 +4,7 @@
 #include "ccd/nearest_points.hpp"
 #include "ccd/nearest_regions.hpp"
 #include "certify/checker/check_bodies.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/oracle/decide_bodies.hpp"
 #include "generators/draw_trim.hpp"
 #include "numeric/products.hpp"
@@ -124,6 +125,7 @@ void check_near_misses(Draw& d) {
   Query farther = query;
   farther.separation += std::ldexp(1.0, -kTold);
   suppose(are_apart(farther));
+  CLAIM(check_linear_clearance(farther, {1, true}).has_value());
   const Answer answer = asked(d, "tdibm-c", query, {});
   CLAIM(answer.verdict == Verdict::kMiss || answer.pops > 0);
 }

@@ -82,8 +82,8 @@ struct MissTree {
   friend bool operator==(const MissTree&, const MissTree&) = default;
 };
 
-/// Certificate L: two linear patches touch at no t in [0, until), or in the closed [0, until]. It
-/// carries nothing, as the checker decides that by itself.
+/// Certificate L: two linear patches are farther apart than the separation in [0, until), or in the
+/// closed [0, until]. It carries nothing, as the checker decides that by itself.
 struct LinearClearance {
   Rational until;
   bool closed = false;

@@ -2,68 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <utility>
-#include <vector>
 
 #include "certify/checker/abbreviated.hpp"
+#include "certify/checker/linear_directions.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Σ c_i·x^(n−i)·y^i. With x = 1 − s, y = s the c_i are, up to binomials, its coefficients of
-/// Bernstein; with x = 1, y = t it is an ordinary polynomial.
-using Form = std::vector<Integer>;
-
-Form product(const Form& a, const Form& b, Work& work) {
-  Form out(a.size() + b.size() - 1);
-  for (size_t i = 0; i < a.size(); ++i) {
-    for (size_t j = 0; j < b.size(); ++j) {
-      work.charge(product_work(a[i], b[j]));
-      out[i + j] += a[i] * b[j];
-    }
-  }
-  return out;
-}
-Form operator+(Form a, const Form& b) {
-  for (size_t i = 0; i < a.size(); ++i) a[i] += b[i];
-  return a;
-}
-Form operator-(Form a, const Form& b) {
-  for (size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
-  return a;
-}
-
-using FormVector = std::array<Form, 3>;
-
-Form dot_of(const FormVector& a, const FormVector& b, Work& work) {
-  return product(a[0], b[0], work) + product(a[1], b[1], work) + product(a[2], b[2], work);
-}
-
-FormVector cross_of(const FormVector& a, const FormVector& b, Work& work) {
-  const auto component = [&](size_t i, size_t j) {
-    return product(a[i], b[j], work) - product(a[j], b[i], work);
-  };
-  return {component(1, 2), component(2, 0), component(0, 1)};
-}
-
-/// A triangle: x·at[0] + y·at[1] of each component of each corner.
-using Corner = std::array<std::array<Integer, 2>, 3>;
-using Triangle = std::array<Corner, 3>;
-
 /// What the header speaks of, each multiplied out when it is asked for.
 class Products {
  public:
-  /// In forms of x and y. From 0 to 1 they are those at x = 1, y = 0, from 1 to 2 at x = 0, y = 1:
-  /// forms without variables.
-  Products(const Triangle& triangle, Work& work, size_t from = 0, size_t to = 2) : work_(work) {
-    for (size_t i = 0; i < 3; ++i) {
-      for (size_t k = 0; k < 3; ++k) {
-        p_[i][k].assign(triangle[i][k].begin() + from, triangle[i][k].begin() + to);
-      }
-    }
+  Products(const Triangle& triangle, Work& work, size_t from = 0, size_t to = 2)
+      : work_(work), p_(points_of(triangle, from, to)) {
     for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work);
   }
 
@@ -96,43 +48,73 @@ struct Signs {
   std::array<int, 3> s, d;
 };
 
-bool has_no_sign(const Form& f, int sign) {
-  return std::ranges::none_of(f, [sign](const Integer& c) { return sgn(c) == sign; });
-}
+/// Whether they touch.
+struct TouchTest {
+  using AtEnd = Signs;
+  Work& work;
 
-/// sign·f > 0 where x > 0, y ≥ 0, and at x = 0 too if `closed`.
-bool is_strictly(const Form& f, int sign, bool closed) {
-  return has_no_sign(f, -sign) && sgn(f.front()) == sign && (!closed || sgn(f.back()) == sign);
-}
+  AtEnd at_end(const Triangle& triangle, size_t end, int) const { return {triangle, end, work}; }
 
-/// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
-/// start, end: at x = 1, y = 0 and x = 0, y = 1. What has the wrong sign there is not asked for
-/// between: it may have thousands of bits.
-bool is_outside(const Triangle& triangle, const Signs& start, const Signs& end, bool closed,
-                Work& work) {
-  const Products of(triangle, work);
-  const auto may_be = [](int at_start, int at_end, int sign) {
-    return at_start != -sign && at_end != -sign;
-  };
-  for (const int sign : {1, -1}) {
-    if (may_be(start.d3, end.d3, sign) && is_strictly(of.d3(), sign, closed)) return true;
+  /// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
+  /// start, end: at x = 1, y = 0 and x = 0, y = 1. What has the wrong sign there is not asked for
+  /// between: it may have thousands of bits.
+  bool is_outside(const Triangle& triangle, const AtEnd& start, const AtEnd& end, bool closed,
+                  int) const {
+    const Products of(triangle, work);
+    const auto may_be = [](int at_start, int at_end, int sign) {
+      return at_start != -sign && at_end != -sign;
+    };
+    for (const int sign : {1, -1}) {
+      if (may_be(start.d3, end.d3, sign) && is_strictly(of.d3(), sign, closed)) return true;
+    }
+    const auto all_d = [&](const auto& holds) { return holds(0) && holds(1) && holds(2); };
+    if (all_d([&](size_t i) { return may_be(start.d[i], end.d[i], 1); }) &&
+        all_d([&](size_t i) { return is_strictly(of.d(i), 1, closed); })) {
+      return true;
+    }
+    for (size_t i = 0; i < 3; ++i) {
+      if (may_be(start.s[i], end.s[i], -1) && is_strictly(of.s(i), -1, closed)) return true;
+    }
+    return false;
   }
-  const auto all_d = [&](const auto& holds) { return holds(0) && holds(1) && holds(2); };
-  if (all_d([&](size_t i) { return may_be(start.d[i], end.d[i], 1); }) &&
-      all_d([&](size_t i) { return is_strictly(of.d(i), 1, closed); })) {
-    return true;
-  }
-  for (size_t i = 0; i < 3; ++i) {
-    if (may_be(start.s[i], end.s[i], -1) && is_strictly(of.s(i), -1, closed)) return true;
-  }
-  return false;
-}
 
-/// The origin is in the triangle at this end.
-bool contains_origin(const Signs& at_end) {
-  return at_end.d3 == 0 && std::ranges::all_of(at_end.s, [](int s) { return s >= 0; }) &&
-         (at_end.m > 0 || std::ranges::any_of(at_end.d, [](int d) { return d <= 0; }));
-}
+  /// The origin is in the triangle at this end.
+  bool is_contact(const AtEnd& at_end) const {
+    return at_end.d3 == 0 && std::ranges::all_of(at_end.s, [](int s) { return s >= 0; }) &&
+           (at_end.m > 0 || std::ranges::any_of(at_end.d, [](int d) { return d <= 0; }));
+  }
+};
+
+/// Whether they come as near as a distance > 0.
+struct DistanceTest {
+  using AtEnd = unsigned;  ///< a bit for each direction that shows that they are farther apart
+  static constexpr int kDirections = 7;
+  const Integer& distance;
+  Work& work;
+
+  Integer distance_after(int halvings) const { return distance << halvings; }
+
+  AtEnd at_end(const Triangle& triangle, size_t end, int halvings) const {
+    const LinearDirections of(triangle, distance_after(halvings), work, end, end + 1);
+    AtEnd shown = 0;
+    for (int i = 0; i < kDirections; ++i) shown |= of.show_farther(i) ? 1U << i : 0;
+    return shown;
+  }
+
+  /// Farther away where x > 0, y ≥ 0. At x = 0 the next piece begins, or all end (decide_by).
+  bool is_outside(const Triangle& triangle, AtEnd start, AtEnd end, bool closed,
+                  int halvings) const {
+    const AtEnd may_be = closed ? start & end : start;
+    if (may_be == 0) return false;
+    const LinearDirections of(triangle, distance_after(halvings), work);
+    for (int i = 0; i < kDirections; ++i) {
+      if ((may_be >> i & 1U) != 0 && of.show_farther(i)) return true;
+    }
+    return false;
+  }
+
+  bool is_contact(AtEnd at_end) const { return at_end == 0; }
+};
 
 /// Where the corners of the triangles come from: pairs of control points.
 std::vector<std::array<std::array<size_t, 2>, 3>> triangles_of(const Query& query) {
@@ -151,12 +133,15 @@ Rational exact_velocity(const MovingPatch<double>& patch, size_t i, int k) {
 }
 
 /// The triangles as `ends` gives them: a component of a control point's position and velocity to
-/// a pair of rationals. All times a common positive number, so that they are integers.
+/// a pair of rationals. All times a common positive number, so that they are integers, and so is
+/// the separation, which is put into `distance`.
 template <class Ends>
-std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
+std::vector<Triangle> triangles_between(const Query& query, const Ends& ends,
+                                        Integer* distance = nullptr) {
   std::vector<std::array<Rational, 2>> exact_ends;
   const auto places = triangles_of(query);
-  Integer denominator = 1;
+  const Rational separation = exact(query.separation);
+  Integer denominator = separation.get_den();
   for (const auto& corners : places) {
     for (const auto& [i, j] : corners) {
       for (int k = 0; k < 3; ++k) {
@@ -168,6 +153,7 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
       }
     }
   }
+  if (distance != nullptr) *distance = Rational(separation * denominator).get_num();
   std::vector<Triangle> out(places.size());
   size_t next = 0;
   for (Triangle& triangle : out) {
@@ -187,19 +173,21 @@ enum class Found { kOutside, kInside, kUndecided };
 
 /// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All pieces
 /// of one length before any shorter, so that a contact between two is found before one of them is
-/// halved towards it without end.
-Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, Work& work) {
+/// halved towards it without end. Test: what is known at an end, and the decision by that. All
+/// numbers of a piece are those of the first times 2^halvings.
+template <class Test>
+Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, const Test& test) {
   struct Piece {
     Triangle triangle;
     bool closed;
-    Signs start, end;
+    typename Test::AtEnd start, end;
   };
   std::vector<Piece> pieces, shorter;
-  pieces.push_back({triangle, closed, Signs(triangle, 0, work), Signs(triangle, 1, work)});
+  pieces.push_back({triangle, closed, test.at_end(triangle, 0, 0), test.at_end(triangle, 1, 0)});
   for (int halvings = 0; !pieces.empty(); ++halvings) {
     for (const Piece& piece : pieces) {
-      if (is_outside(piece.triangle, piece.start, piece.end, piece.closed, work)) continue;
-      if (contains_origin(piece.start)) return Found::kInside;
+      if (test.is_outside(piece.triangle, piece.start, piece.end, piece.closed, halvings)) continue;
+      if (test.is_contact(piece.start)) return Found::kInside;
       if (halvings == most_halvings) return Found::kUndecided;
       Piece first{{}, true, piece.start, piece.end},
           second{{}, piece.closed, piece.start, piece.end};
@@ -211,7 +199,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, W
           second.triangle[i][k] = {middle, Integer(2 * end)};
         }
       }
-      first.end = second.start = Signs(second.triangle, 0, work);
+      first.end = second.start = test.at_end(second.triangle, 0, halvings + 1);
       shorter.push_back(std::move(first));
       shorter.push_back(std::move(second));
     }
@@ -260,9 +248,6 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
                                     Work& work) {
   constexpr int kMostHalvings = 4000;
   CCDFUZZ_TRY_VOID(refuse_unless_linear(query, kClear));
-  if (query.separation > 0) {
-    return input_error(kClear, fmt::format("is no proof of distances above {}", query.separation));
-  }
   const Rational& until = clearance.until;
   if (until < 0)
     return input_error(kClear, fmt::format("until = {} is negative", abbreviated(until)));
@@ -270,21 +255,26 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
   const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
     return {p, p + until * v};
   };
-  const std::vector<Triangle> triangles = triangles_between(query, ends);
-  for (const Triangle& triangle : triangles) {
-    // Halving would come near this contact without end.
-    if (!clearance.closed || !contains_origin(Signs(triangle, 1, work))) continue;
-    return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
-  }
-  for (const Triangle& triangle : triangles) {
-    const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, work);
-    if (found == Found::kOutside) continue;
-    return input_error(
-        kClear, fmt::format("{} before t = {}",
-                            found == Found::kInside ? "there is a contact" : "no proof of absence",
-                            abbreviated(until)));
-  }
-  return {};
+  Integer distance;
+  const std::vector<Triangle> triangles = triangles_between(query, ends, &distance);
+  const auto decide_by = [&](const auto& test) -> Result<void> {
+    for (const Triangle& triangle : triangles) {
+      // Halving would come near this contact without end.
+      if (!clearance.closed || !test.is_contact(test.at_end(triangle, 1, 0))) continue;
+      return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
+    }
+    for (const Triangle& triangle : triangles) {
+      const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, test);
+      if (found == Found::kOutside) continue;
+      return input_error(kClear, fmt::format("{} before t = {}",
+                                             found == Found::kInside ? "there is a contact"
+                                                                     : "no proof of absence",
+                                             abbreviated(until)));
+    }
+    return {};
+  };
+  if (distance > 0) return decide_by(DistanceTest{distance, work});
+  return decide_by(TouchTest{work});
 }
 
 Result<void> check_root_within(const Query& query, const ContactRoot& root, Work& work) {

@@ -20,11 +20,14 @@ bool is_linear_query(const Query& query);
 /// m = 0, all are on a line through 0, which is between two or at one iff some d_i ≤ 0. If D ≠ 0, 0
 /// is no combination of a, b, c at all.
 
-/// Certificate L: decides, in exact integers, that linear patches touch at no t in [0, until), or
-/// in the closed [0, until]. Shares no code with the search for contacts.
+/// Certificate L: decides, in exact integers, that linear patches are farther apart than the
+/// separation at every t in [0, until), or in the closed [0, until]. Shares no code with the search
+/// for contacts.
 /// [0, until] is halved until the coefficients of Bernstein of D, an s_i or all d_i have one sign.
 /// The origin is outside if D ≠ 0, some s_i < 0, or all d_i > 0 (as then a·(αa + βb + γc) > 0 or
 /// likewise for b, c). At any time without contact one of them is so, strictly, so this ends.
+/// With a separation > 0 it is halved until one direction shows it (linear_directions.hpp). That
+/// ends, too, but where patches come exactly as near as that at an irrational time, and no nearer.
 /// Requires a valid query. Errors: it is not linear; a contact; not decided within 4,000 halvings;
 /// more than most_work.
 Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,

@@ -9,6 +9,7 @@
 #include "ccd/past_start.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/search.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/work_done.hpp"
@@ -35,8 +36,10 @@ class Deciding {
       CCDFUZZ_VERIFY(check_witness(query_, *options_.known));
       consider(*options_.known);
     }
-    search();
-    prove_clear();
+    if (!try_linear({exact(query_.t_max), true})) {
+      search();
+      prove_clear();
+    }
     conclude(query_, out_.truth);
     return std::move(out_);
   }
@@ -105,7 +108,18 @@ class Deciding {
     }
   }
 
+  /// Linear patches take no tree. The checker decides them itself.
+  bool try_linear(const LinearClearance& clearance) {
+    constexpr std::uint64_t kMostWork = 1 << 26;  // a tenth of a second
+    if (!is_linear_query(query_) || !check_linear_clearance(query_, clearance, kMostWork)) {
+      return false;
+    }
+    out_.truth.clearance = clearance;
+    return true;
+  }
+
   bool try_tree(const Rational& until, std::uint64_t max_nodes) {
+    if (try_linear({until, true})) return true;
     std::optional<std::string> tree = build_miss_tree(query_, until, max_nodes, &deadline_);
     if (!tree) return false;
     out_.truth.clearance = MissTree{until, {}};
@@ -122,6 +136,7 @@ class Deciding {
     }
     const auto& witness = out_.truth.witness;
     if (witness && witness->t > 0) {
+      if (try_linear({witness->t, false})) return;
       if (auto plane = find_plane(query_, *witness)) {
         out_.truth.clearance = *plane;
         return;
