@@ -325,7 +325,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const auto contact = value.truth.contact_by();
   const Rational t_max = exact(value.query.t_max);
   const bool touches = contact && *contact <= t_max;
-  if (t_max == 0) return input_error(named.id, "t_max is 0, and engines are asked to move bodies");
+  if (touches && t_max == 0) {
+    return input_error(named.id, "touches at a t_max of 0, and engines are asked to move bodies");
+  }
   const bool is_clear = value.truth.clearance && covers(*value.truth.clearance, t_max);
   if (!touches && !is_clear) {
     return input_error(named.id, "neither a contact within t_max nor its absence is proven");
