@@ -123,7 +123,7 @@ Query on_other_axes(Query query, int by, std::optional<int> mirrored) {
     for (Points<double>* points : {&patch.positions, &patch.velocities, &patch.ends}) {
       for (Vec3<double>& p : *points) {
         move(p);
-        if (mirrored) p[*mirrored] = 0 - p[*mirrored];
+        if (mirrored) p[*mirrored] = -p[*mirrored];
       }
     }
     if (patch.turn) move(patch.turn->centre), move(patch.turn->spin);

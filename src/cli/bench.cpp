@@ -130,10 +130,10 @@ Table ratio_table(const ClassRaces& races) {
     for (const auto& [contact, race] : races) {
       const Race::Runner &base = race.runners().front(), &runner = race.runners()[m];
       if (row.empty()) row.push_back({marked(runner.spec)});
-      row.push_back({runner.tally.n == 0     ? "not asked"
-                     : !runner.fault.empty() ? "error"
-                     : m == 0                ? duration_text(runner.tally.seconds.mean())
-                                             : ratio_text(runner, ratio(runner, base))});
+      row.push_back({!runner.fault.empty() ? "error"
+                     : runner.tally.n == 0 ? "not asked"
+                     : m == 0              ? duration_text(runner.tally.seconds.mean())
+                                           : ratio_text(runner, ratio(runner, base))});
     }
     table.add_row(std::move(row));
   }

@@ -58,12 +58,16 @@ int complain(const std::string& message, int code, const std::string& command = 
 /// Names the option of the command whose path the error is about, if there is one. The path is the
 /// option's value, or what is in it or beside it.
 void name_option(const CLI::App& command, InputError& error) {
+  const auto is_at = [&](const std::string& value) { return error.where.starts_with(value); };
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional()) continue;
+    if (option->get_positional()) {
+      if (std::ranges::any_of(option->results(), is_at)) return;
+      continue;
+    }
     const std::string kind = option->get_type_name();
     const bool names_files = kind == "FILE" || kind == "FOLDER" || kind == "PATH";
     for (const std::string& value : option->results()) {
-      if (!error.where.starts_with(value)) continue;
+      if (!is_at(value)) continue;
       const std::string rest = error.where.substr(value.size());
       if (!rest.empty() && (!names_files || rest.find_first_of("/.:") != 0)) continue;
       error.where = fmt::format("{}: {}", option->get_name(), error.where);

@@ -143,11 +143,13 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   Rows rows;
   ReportRows page;
   CaseCount counts;
+  RoundedNumbers rounded;
   std::uint64_t done = 0, asked = 0;
   need(evaluate(
       files, options, earlier ? &*earlier : nullptr,
       [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
         counts.add(named.value);
+        rounded.add(named.value);
         rows.add(evaluated);
         const double precision = options.search_for(named.value).precision;
         if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
@@ -157,12 +159,14 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
       },
       [&] { return session.interrupted(); }));
   session.progress().clear();
+  int code = kDone;
   if (session.interrupted()) {
-    const int code = session.end_early(
+    code = session.end_early(
         done, "cases",
         kept ? "the same command goes on from there" : "the tables are of these alone");
     if (kept) return code;
   }
+  session.note(rounded);
   counts.note(session);
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
@@ -186,7 +190,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     page.finish(shown, rows, costs);
     need(write_report(shown, arguments.page, session.threads));
   }
-  return session.exit_code(kDone);
+  return code;
 }
 
 }  // namespace

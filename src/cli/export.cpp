@@ -41,11 +41,23 @@ struct ExportOptions {
   bool round = false;
 };
 
-std::string export_tests(const ExportOptions& options, TestFramework framework) {
+/// for_each_checked_case, and says how many numbers were rounded when they were read.
+Result<void> for_each(const std::vector<std::string>& files, Session& session,
+                      const std::function<Result<void>(const NamedCase&)>& visit) {
+  RoundedNumbers rounded;
+  const Result<void> done = for_each_checked_case(files, [&](const NamedCase& named) {
+    rounded.add(named.value);
+    return visit(named);
+  });
+  session.note(rounded);
+  return done;
+}
+
+std::string export_tests(const ExportOptions& options, TestFramework framework, Session& session) {
   OutputFile out = need(OutputFile::create(options.output));
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
-  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
     return test_snippet(named, ++count, framework).and_then([&](const std::string& text) {
       return out.write(text);
     });
@@ -80,9 +92,7 @@ std::string export_csv(const ExportOptions& options, Session& session) {
   OutputFile out = need(OutputFile::create(options.output));
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
-  RoundedNumbers when_read;
-  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
-    when_read.add(named.value);
+  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
     const Query& query = named.value.query;
     for (const auto& [has_it, what] :
          {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
@@ -107,7 +117,6 @@ std::string export_csv(const ExportOptions& options, Session& session) {
     });
   }));
   need(out.commit());
-  session.note(when_read);
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
   return summary;
@@ -129,7 +138,7 @@ std::uint64_t export_engine_tests(const ExportOptions& options, const EngineTemp
   const bool is_folder = options.output.ends_with('/');
   std::map<std::string, std::string> tests;  // by path
   std::uint64_t left_out = 0;
-  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
     const Result<std::string> text = engine_test(named, engine.engine);
     if (!text) {
       session.remark("{}; it is left out", text.error().message());
@@ -166,7 +175,7 @@ int run_export(const ExportOptions& options, Session& session) {
   if (engine != nullptr) {
     return export_engine_tests(options, *engine, session) == 0 ? kDone : kBadInput;
   }
-  session.summary(framework != nullptr ? export_tests(options, *framework)
+  session.summary(framework != nullptr ? export_tests(options, *framework, session)
                                        : export_csv(options, session));
   return kDone;
 }

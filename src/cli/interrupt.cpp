@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <string_view>
 
 #include "io/output_file.hpp"
 
@@ -24,9 +23,6 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 /// Everything here and below is safe in a signal handler.
 [[noreturn]] void end_at_once() {
   remove_unfinished_files();
-  constexpr std::string_view kSaid =
-      "\nccdfuzz: interrupted: ended at once; what was stored stays\n";
-  static_cast<void>(::write(STDERR_FILENO, kSaid.data(), kSaid.size()));
   ::_exit(128 + caught_signal);
 }
 

@@ -81,7 +81,7 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   Minimised minimised = minimise(found.value, failure, asker,
                                  {options.max_trials, [&] { return interrupted.load(); }});
   const CheckedCase left = checked_or_unknown(minimised.value);
-  const auto depth = is_false_negative(failure.outcome)
+  const auto depth = !interrupted && is_false_negative(failure.outcome)
                          ? depth_of(left, asker.ask(options.method, left))
                          : std::nullopt;
   say_version(minimised.value, options.method, depth.value_or(0));

@@ -254,14 +254,11 @@ class Replay {
         });
       }
     }
-    if (changed && options_.update) update(entry, done.rows);
+    // What is shown may be as --expect says, and not as the entry does.
+    if (options_.update && (changed || options_.expect)) update(entry, done.rows);
   }
 
   void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {
-    if (!entry.id.ends_with(".json")) {
-      throw BadInput{
-          {entry.id, "is a case of a data set: --update writes files of one case, .json"}};
-    }
     Case now = entry.value;
     for (const ReplayRow& row : rows) {
       if (!row.hangs_anew()) {
@@ -272,6 +269,10 @@ class Replay {
                       entry.id, row.method);
     }
     if (now == entry.value) return;
+    if (!entry.id.ends_with(".json")) {
+      throw BadInput{
+          {entry.id, "is a case of a data set: --update writes files of one case, .json"}};
+    }
     expectations_.update(entry.id, to_json(now, JsonLayout::kReadable) + "\n",
                          [&] { return need(read_case(entry.id)).value == entry.value; });
   }
@@ -352,15 +353,13 @@ void add_replay(CommandLine& line) {
                "A corpus, its `claims` alone, or a file of cases or of one claim");
   add_methods(command, options->methods, "Methods to run, by default those that an entry names");
   command.allow_plugins();
-  const Option expect =
-      command.choice("--expect OUTCOME", options->expect,
-                     "What is expected of each method about every entry that it takes, such as "
-                     "correct; by default what the entry says");
+  command.choice("--expect OUTCOME", options->expect,
+                 "What is expected of each method about every entry that it takes, such as "
+                 "correct; by default what the entry says");
   Option update = command.flag(
       "--update", options->update,
       "Write what methods show now into the entries, but no hang, which depends on the "
       "machine, and exit with 0");
-  update.excludes(expect);
   // An entry says itself how it is asked.
   options->search.max_pops.reset();
   for (const Option& limit : options->search.add_to(command)) update.excludes(limit);

@@ -14,7 +14,7 @@ void Race::ask(const Query& query) {
     try {
       time(runner, query);
     } catch (const MethodFault& fault) {
-      runner.tally.add({}, Outcome::kError, std::nullopt);
+      ++runner.tally.by_outcome[static_cast<std::size_t>(Outcome::kError)];
       if (runner.fault.empty()) runner.fault = fmt::format("{}: {}", fault.name(), fault.what());
     }
   }

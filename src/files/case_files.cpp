@@ -55,8 +55,9 @@ class JsonCases : public CaseFile {
         of_many_lines = fmt::format("{{{}", rest.value_or(""));
         json = of_many_lines;
       }
-      const std::string id =
-          whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
+      const std::string id = whole || !of_many_lines.empty()
+                                 ? lines_.path()
+                                 : fmt::format("{}:{}", lines_.path(), lines_.line());
       CCDFUZZ_TRY(auto value, parse_case(json, id));
       any_ = true;
       return NamedCase{id, std::move(value), lines_.path()};

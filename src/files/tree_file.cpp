@@ -22,17 +22,27 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kCaseEndings = {".jsonl.zst", ".jsonl", ".json"};
 
+/// Nothing is known of a tree that cannot be read.
+InputError unread(InputError error) {
+  error.is_limit = true;
+  return error;
+}
+
+tl::unexpected<InputError> not_read(const std::string& path, int why) {
+  return tl::unexpected(unread(system_error(path, "read", why).value()));
+}
+
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
-  CCDFUZZ_TRY_VOID(refuse_irregular(path));
+  CCDFUZZ_TRY_VOID(refuse_irregular(path).map_error(unread));
   const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (*descriptor < 0) return system_error(path, "read", errno);
+  if (*descriptor < 0) return not_read(path, errno);
   std::string bytes(length, '\0');
   for (size_t done = 0; done < length;) {
     const ssize_t got =
         ::pread(*descriptor, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return system_error(path, "read", errno);
+    if (got < 0) return not_read(path, errno);
     if (got == 0) {
       return input_error(path,
                          fmt::format("ends before byte {}, where a tree ends", offset + length));
@@ -40,12 +50,6 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
     done += static_cast<size_t>(got);
   }
   return bytes;
-}
-
-/// Nothing is known of a tree that cannot be read.
-InputError unread(InputError error) {
-  error.is_limit = true;
-  return error;
 }
 
 }  // namespace
@@ -67,7 +71,7 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
   if (tree.length > ZSTD_compressBound(kMaxTreeBytes)) {
     return input_error(path, fmt::format("a tree of {} bytes is larger than any", tree.length));
   }
-  CCDFUZZ_TRY(const auto frame, read_range(path, tree.offset, tree.length).map_error(unread));
+  CCDFUZZ_TRY(const auto frame, read_range(path, tree.offset, tree.length));
   const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN ||
       ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size()) {

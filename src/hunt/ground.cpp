@@ -176,7 +176,7 @@ std::optional<Case> decided_case(const Query& query) {
   if (is_of_bodies(query)) return case_of_bodies(query);
   Case out;
   out.query = query;
-  // Trees, of linear patches at a separation, take long, and a case has no place for their bytes.
+  // Trees take long, and a case has no place for their bytes.
   out.truth = decide(query, {.max_tree_nodes = 0}).truth;
   if (!out.truth.collides) return std::nullopt;
   const std::optional<Contact> simple = contact_of(out);

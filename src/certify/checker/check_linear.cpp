@@ -266,10 +266,12 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
     for (const Triangle& triangle : triangles) {
       const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, test);
       if (found == Found::kOutside) continue;
-      return input_error(kClear, fmt::format("{} before t = {}",
-                                             found == Found::kInside ? "there is a contact"
-                                                                     : "no proof of absence",
-                                             abbreviated(until)));
+      const bool is_inside = found == Found::kInside;
+      return tl::unexpected(InputError{
+          kClear,
+          fmt::format("{} before t = {}", is_inside ? "there is a contact" : "no proof of absence",
+                      abbreviated(until)),
+          !is_inside});
     }
     return {};
   };

@@ -21,13 +21,14 @@ bool is_linear_query(const Query& query);
 /// is no combination of a, b, c at all.
 
 /// Certificate L: decides, in exact integers, that linear patches are farther apart than the
-/// separation at every t in [0, until), or in the closed [0, until]. Shares no code with the search
-/// for contacts.
+/// separation. It is so at every t in [0, until), or in the closed [0, until]. Shares no code with
+/// the search for contacts.
 /// [0, until] is halved until the coefficients of Bernstein of D, an s_i or all d_i have one sign.
 /// The origin is outside if D ≠ 0, some s_i < 0, or all d_i > 0 (as then a·(αa + βb + γc) > 0 or
 /// likewise for b, c). At any time without contact one of them is so, strictly, so this ends.
 /// With a separation > 0 it is halved until one direction shows it (linear_directions.hpp). That
-/// ends, too, but where patches come exactly as near as that at an irrational time, and no nearer.
+/// ends, too, unless patches come exactly as near as that, no nearer, and at no dyadic part of
+/// `until`.
 /// Requires a valid query. Errors: it is not linear; a contact; not decided within 4,000 halvings;
 /// more than most_work.
 Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,

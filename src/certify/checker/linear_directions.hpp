@@ -4,9 +4,9 @@
 
 namespace ccdfuzz {
 
-/// Directions along which a moving triangle may be farther from the origin than a distance d: those
-/// to its corners, its edges and its plane. Whatever of it is nearest to the origin, the way there
-/// is one of them. For corners a, b, c and e = b − a these are
+/// Directions along which a moving triangle may be farther from the origin than a distance d. They
+/// are those to its corners, its edges and its plane. Whatever of it is nearest to the origin, the
+/// way there is one of them. For corners a, b, c and e = b − a these are
 ///   a,  a·(e·e) − e·(a·e),  e × (c − a),  and the same of the others;
 /// the last one is taken to either side. A direction n shows it where n·p > 0 and (n·p)² > d²·n·n
 /// for all corners p. Where the triangle is farther away, the way to its nearest point shows it.

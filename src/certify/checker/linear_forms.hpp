@@ -48,8 +48,8 @@ inline FormVector cross_of(const FormVector& a, const FormVector& b, Work& work)
 using Corner = std::array<std::array<Integer, 2>, 3>;
 using Triangle = std::array<Corner, 3>;
 
-/// Its corners in forms of x and y. From 0 to 1 they are those at x = 1, y = 0, from 1 to 2 at x =
-/// 0, y = 1: forms without variables.
+/// Its corners in forms of x and y. From 0 to 1 they are those at x = 1, y = 0; from 1 to 2 those
+/// at x = 0, y = 1. Both are forms without variables.
 inline std::array<FormVector, 3> points_of(const Triangle& triangle, size_t from, size_t to) {
   std::array<FormVector, 3> out;
   for (size_t i = 0; i < 3; ++i) {

@@ -26,12 +26,22 @@ bool reaches_further(const Clearance& x, const Clearance& y) {
 /// Takes over the case's own clearance, which holds, if it reaches further than the one found.
 void keep_better_clearance(const Case& value, const Result<std::string>& tree, Decision& found) {
   const auto& own = value.truth.clearance;
-  if (!own || !tree) return;
+  if (!own) return;
   if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
   found.truth.clearance = own;
   found.tree.clear();
   if (std::holds_alternative<MissTree>(*own)) found.tree = *tree;
   conclude(value.query, found.truth);
+}
+
+/// Takes over the case's own contact if it is earlier than what was found. A contact after t_max is
+/// no part of a decision.
+void keep_contact(const Truth& own, Truth& found) {
+  const std::optional<Rational> contact = found.contact_by();
+  if (contact && !(own.contact_by() && *own.contact_by() < *contact)) return;
+  found.witness = own.witness;
+  found.contact_box = own.contact_box;
+  found.contact_root = own.contact_root;
 }
 
 }  // namespace
@@ -48,20 +58,20 @@ Completed complete_truth(const Case& value, const Result<std::string>& tree,
   const std::optional<Rational> contact = found.truth.contact_by();
   const auto check = [&value](const std::string& bytes) { return check_absence(value, bytes); };
   const auto holds = truth.clearance ? tree.and_then(check) : Result<void>();
-  const bool is_unread = !tree && tree.error().is_limit;
-  if (is_unread) {
-    truth.clearance.reset();
-    truth.proof = kProofWords[2];
-  }
+  // Neither proven nor refuted: then the case's own word of absence counts for nothing.
+  const bool is_unknown = !holds && holds.error().is_limit;
   const bool touches_by_end =
       value.truth.collides == false && contact && *contact <= exact(value.query.t_max);
-  if (!holds && !is_unread) {
+  if (!holds && !is_unknown) {
     out.refuted = true;
     out.note = holds.error().message();
   } else if (touches_by_end || (contact && claimed && *contact < *claimed)) {
     out.refuted = true;
     out.note = fmt::format("claimed clear until t = {}, but there is a contact by t = {}",
                            to_text(*claimed), to_text(*contact));
+  } else if (is_unknown) {
+    out.note = holds.error().message();
+    keep_contact(truth, found.truth);
   } else {
     keep_better_clearance(value, tree, found);
     const auto& until = found.truth.clear_until;
@@ -73,12 +83,7 @@ Completed complete_truth(const Case& value, const Result<std::string>& tree,
       found.truth.proof = truth.proof;
       if (!found.truth.collides) found.truth.collides = truth.collides;
     }
-    // A contact after t_max is no part of a decision.
-    if (!contact || (truth.contact_by() && *truth.contact_by() < *contact)) {
-      found.truth.witness = truth.witness;
-      found.truth.contact_box = truth.contact_box;
-      found.truth.contact_root = truth.contact_root;
-    }
+    keep_contact(truth, found.truth);
   }
   truth = found.truth;
   out.tree = std::move(found.tree);

@@ -20,8 +20,8 @@ struct Completed {
 /// Decides the query of a case and completes its truth: contact or absence, and both certificates.
 /// A witness or clearance of the case's own stays if it proves more. So does a claim of absence
 /// that goes beyond what could be proven here. tree: the bytes of its own tree, if its clearance is
-/// one. An error in their place refutes it, unless they could not be read (is_limit). Requires that
-/// check_truth accepts the case.
+/// one. An error in their place refutes it. Where it is a limit (is_limit), or checking meets one,
+/// what the case says of absence is left out. Requires that check_truth accepts the case.
 Completed complete_truth(const Case& value, const Result<std::string>& tree,
                          OracleOptions options = {});
 
