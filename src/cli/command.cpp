@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -56,18 +57,23 @@ int complain(const std::string& message, int code, const std::string& command = 
 }
 
 /// Names the option of the command whose path the error is about, if there is one. The path is the
-/// option's value, or what is in it or beside it.
+/// option's value, or what is in it or beside it. It is not, where an argument without a name says
+/// more of it.
 void name_option(const CLI::App& command, InputError& error) {
-  const auto is_at = [&](const std::string& value) { return error.where.starts_with(value); };
+  size_t said_by_argument = 0;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional()) {
-      if (std::ranges::any_of(option->results(), is_at)) return;
-      continue;
+    if (!option->get_positional()) continue;
+    for (const std::string& value : option->results()) {
+      if (error.where.starts_with(value))
+        said_by_argument = std::max(said_by_argument, value.size());
     }
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) continue;
     const std::string kind = option->get_type_name();
     const bool names_files = kind == "FILE" || kind == "FOLDER" || kind == "PATH";
     for (const std::string& value : option->results()) {
-      if (!is_at(value)) continue;
+      if (!error.where.starts_with(value) || value.size() < said_by_argument) continue;
       const std::string rest = error.where.substr(value.size());
       if (!rest.empty() && (!names_files || rest.find_first_of("/.:") != 0)) continue;
       error.where = fmt::format("{}: {}", option->get_name(), error.where);
