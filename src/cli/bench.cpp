@@ -179,8 +179,7 @@ int run_bench(const BenchOptions& options, Session& session) {
   }
   session.progress().clear();
   if (!session.json) print_races(races, options);
-  if (interrupted) return session.end_early(done, "queries", "the numbers are of these");
-  return session.exit_code(kDone);
+  return interrupted ? session.end_early(done, "queries", "the numbers are of these") : kDone;
 }
 
 }  // namespace

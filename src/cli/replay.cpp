@@ -173,11 +173,13 @@ class Replay {
       const Property claim =
           need_at(path + ": property", property_named(find.property, session_.properties));
       const Property property = need_at(path + ": method", about(claim, find.method));
-      if (!find.method.empty() && !is_admitted(find.method)) {
-        ++not_allowed_[find.method];
-        continue;
+      if (!find.method.empty()) {
+        if (!is_admitted(find.method)) {
+          ++not_allowed_[find.method];
+          continue;
+        }
+        need_at(path + ": method", narrowed({}, {find.method}));
       }
-      if (!find.method.empty()) need_at(path + ": method", narrowed({}, {find.method}));
       ServedClaims& served = names_plugin(find.method) ? of_plugins : built_in;
       const InputRun run = served.on(property, find.choices);
       if (run.error == "interrupted") return;

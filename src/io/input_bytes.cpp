@@ -25,8 +25,8 @@ std::optional<CaseFileKind> case_file_kind_by_name(const std::string& path) {
 
 Result<CaseFileKind> case_file_kind(const std::string& path) {
   if (const auto kind = case_file_kind_by_name(path)) return *kind;
-  if (path == "/dev/stdin" || is_stream(path)) return CaseFileKind::kJsonLines;
   if (path == "-") return input_error(path, "is no file; standard input is /dev/stdin");
+  if (path == "/dev/stdin" || is_stream(path)) return CaseFileKind::kJsonLines;
   return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst");
 }
 
