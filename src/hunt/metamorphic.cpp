@@ -5,6 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "bezier/exact_patch.hpp"
+#include "bezier/restrict.hpp"
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
@@ -98,6 +101,52 @@ std::optional<Related> in_halves(const Query& query, Draw&) {
   return Related{{{std::move(first)}, {*std::move(rest), half}}, {}, false};
 }
 
+/// The hull with one more point, midway between two of its own.
+std::optional<MovingPatch<double>> with_middle(MovingPatch<double> hull, Draw& d) {
+  const Vec3<double> a = hull.positions[d.below(hull.positions.size())];
+  const Vec3<double> b = hull.positions[d.below(hull.positions.size())];
+  Vec3<double>& middle = hull.positions.emplace_back();
+  for (int k = 0; k < 3; ++k) {
+    const auto exactly = to_double_exactly((exact(a[k]) + exact(b[k])) / 2);
+    if (!exactly) return std::nullopt;
+    middle[k] = *exactly;
+  }
+  hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+  return hull;
+}
+
+/// The part of a patch over a cell. Requires neither weights nor loops.
+std::optional<MovingPatch<double>> part_of(const MovingPatch<double>& patch, const Cell& cell) {
+  const auto corners = exact_corners<Dyadic>(cell.corners(patch.shape));
+  return to_doubles(restrict_to(exact_patch<Dyadic>(patch), corners));
+}
+
+/// The parts of a patch that a split at midpoints makes; the faces of a mesh, one by one; or a hull
+/// with a point inside. Exact where no number is rounded.
+std::optional<Related> refined(const Query& query, Draw& d) {
+  Related out{{}, {}, false};
+  if (has_mesh(query)) {
+    for (const size_t face : faces_there(query)) out.parts.push_back({of_face(query, face)});
+    return out.parts.empty() ? std::nullopt : std::optional(std::move(out));
+  }
+  const bool is_point = query.patches[0].shape.kind == ShapeKind::kPoint;
+  const size_t side = is_point ? 1 : d.below(2);
+  const auto add = [&](const std::optional<MovingPatch<double>>& part) {
+    if (!part) return false;
+    out.parts.push_back({query});
+    out.parts.back().query.patches[side] = *part;
+    return true;
+  };
+  const MovingPatch<double>& whole = query.patches[side];
+  if (is_of_bodies(query)) return add(with_middle(whole, d)) ? std::optional(out) : std::nullopt;
+  const bool is_plain = whole.weights.empty() && whole.trim.empty();
+  if (!is_plain || whole.shape.kind == ShapeKind::kPoint) return std::nullopt;
+  for (int c = 0; c < whole.shape.child_count(); ++c) {
+    if (!add(part_of(whole, Cell{}.child(whole.shape, c)))) return std::nullopt;
+  }
+  return out;
+}
+
 /// A method, and what it is asked about; for one thread.
 struct Subject {
   explicit Subject(const std::string& spec)
@@ -128,7 +177,7 @@ struct Subject {
     return decided && ground.has(*decided);
   }
 
-  /// What related queries say of the first one, in its units: the first of their hits.
+  /// What related queries say of the first one, in its units: the earliest of their hits.
   Answered carried_back(const Related& related, const CheckedCase& known) const {
     std::optional<Answered> first;
     const auto& [parts, change, is_same_motion, is_reversed] = related;
@@ -148,7 +197,9 @@ struct Subject {
         const Rational unit = power_of_two(-change.time);
         given.toi = round_down(exact(part.begins) + exact(*given.toi) * unit);
       }
-      if (!first || !first->toi) first = std::move(given);
+      if (!first || !first->toi || (given.toi && *given.toi < *first->toi)) {
+        first = std::move(given);
+      }
     }
     if (!is_reversed) return *std::move(first);
     std::swap(first->terms.closed_t_max, first->terms.contact_at_zero);
@@ -264,6 +315,11 @@ std::vector<Property> metamorphic_claims() {
                in_other_units),
       claim_of("reverse", "In reverse there is a contact iff there is one", reversed),
       claim_of("halves", "There is a contact iff there is one in a half of the time", in_halves),
+      claim_of(
+          "refined",
+          "There is a contact iff a part of a patch has one, a face of a mesh, or a hull with a "
+          "point inside",
+          refined),
   };
 }
 
