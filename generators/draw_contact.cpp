@@ -16,6 +16,8 @@ namespace ccdfuzz {
 namespace {
 
 constexpr int kContactUvBits = 2;
+/// So many bits the parameters off the grid add to a control point: fewer than their time does.
+constexpr int kOffGridBits = 24;
 constexpr int kTwinUlps = 2;
 
 /// For each control point, whether its Bernstein weight at the contact is not 0.
@@ -34,7 +36,11 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   const Dyadic outward(place == 0 ? 1 : -1);
   ContactSide side;
   side.shape = range.shapes ? range.shapes->at(place) : draw_shape(choices, range.max_degree);
-  side.at = draw_uv(choices, side.shape, kContactUvBits);
+  // Each degree takes the bits of the parameters once more.
+  const int degrees = std::max(1, side.shape.n + side.shape.m);
+  const bool off_grid = range.off_grid && choices.coin();
+  side.at = draw_uv(choices, side.shape,
+                    off_grid ? std::max(kContactUvBits, kOffGridBits / degrees) : kContactUvBits);
   side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
   side.rates = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
   const std::vector<bool> bearing = bearing_controls(side);
@@ -90,7 +96,7 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   const long common_exponent = choices.integer(-3, 12);
   for (int k = 0; k < 3; ++k) placement.drift[k] = choices.dyadic(3, common_exponent);
   Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
-  if (range.off_grid) {
+  if (range.off_grid && choices.coin()) {
     const Dyadic off(choices.integer(-7, 7), -43);
     t = abs(t + off);
   }

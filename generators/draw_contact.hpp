@@ -17,7 +17,8 @@ struct ContactRange {
   int highest = 40;
   int max_degree = 3;
   int coordinate_bits = 5;  ///< for the place of a control point, from the contact; 0 to 40
-  /// The contact comes up to 7·2^-43 before or after the time that it would come at else.
+  /// Without, parameters are quarters, and times are 0, 1/2, 3/4 or 1. True: half of the patches
+  /// touch anywhere, up to 2^-24, and half of the contacts come up to 7·2^-43 before or after.
   bool off_grid = false;
   /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).
   bool elsewhere = false;

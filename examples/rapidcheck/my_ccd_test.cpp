@@ -24,7 +24,7 @@ RC_GTEST_PROP(Mine, MissesNothingOfMeshes, ()) {
   ccdfuzz::Domain promised;
   promised.pairs = ccdfuzz::linear_pairs();
   promised.ordinary = true;
-  const ccdfuzz::Contact c = *ccdfuzz::gen::contact({}, promised);
+  const ccdfuzz::Contact c = *ccdfuzz::gen::contact({.off_grid = true}, promised);
   RC_ASSERT(!ccdfuzz::is_false_negative(c, my_ccd(c.query), {.time_tolerance = 1e-9}));
 }
 

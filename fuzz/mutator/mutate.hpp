@@ -22,8 +22,9 @@ Contact mutate(const Contact& q, const Contact& other, Draw& draw,
 struct CaseMutation {
   /// One mutant in this many is libFuzzer's own, which mostly breaks the contact; at least 1.
   std::uint64_t own_in = 8;
-  /// One mutant in this many is a contact drawn anew (draw_witnessed), of any shapes; at least 1.
-  /// So is what an input becomes that is none. No mutation makes surfaces of points and curves.
+  /// One mutant in this many is a contact drawn anew (draw_witnessed), half of these vertex-face or
+  /// edge-edge; at least 1. So is what an input becomes that is none. No mutation makes surfaces of
+  /// points and curves.
   std::uint64_t drawn_in = 16;
   /// How many methods an input can name; at least 1.
   std::uint8_t methods = 1;

@@ -24,6 +24,16 @@ std::uint8_t mutated_method(std::uint8_t method, std::uint64_t count, Draw& draw
   return static_cast<std::uint8_t>((method + 1 + draw.below(count - 1)) % count);
 }
 
+/// Half of what is drawn anew is of a vertex and a face or two edges, as codes of meshes take them.
+/// Mutation alone makes hardly any of these of others.
+ContactRange draw_range(Draw& draw) {
+  constexpr std::array<std::array<Shape, 2>, 2> kOfMeshes = {
+      {{Shape::point(), Shape::triangle(1)}, {Shape::curve(1), Shape::curve(1)}}};
+  ContactRange range{.off_grid = true};
+  if (draw.coin()) range.shapes = draw.pick(kOfMeshes);
+  return range;
+}
+
 }  // namespace
 
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
@@ -38,7 +48,8 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
   // Draws from a source of its own: what the seed makes of q does not depend on it.
   Draw anew{Random::keyed({seed, 1})};
   if (anew.below(options.drawn_in) == 0 || !q) {
-    const std::size_t drawn = put(draw_witnessed(anew, {}), method, {data, max_size});
+    const ContactRange range = draw_range(anew);
+    const std::size_t drawn = put(draw_witnessed(anew, range), method, {data, max_size});
     if (drawn > 0) return drawn;
   }
   const Contact whole = q.value_or(falling_point());

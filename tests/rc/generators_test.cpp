@@ -181,15 +181,14 @@ TEST(RcGenerators, SayWhatIsWrongWithOptions) {
             "gen::method: the filter takes no method");
 }
 
-TEST(RcGenerators, ContactsComeAtTimesThatRoundToFloatsAndAtOthers) {
-  const auto gen = rc::gen::arbitrary<Contact>();
-  std::array<int, 2> found{};
+TEST(RcGenerators, ContactsComeAtTimesAndPlacesOnTheGridAndOff) {
+  std::array<int, 2> times{}, places{};
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const double t = *gen(rc::Random(seed), 100).value().t.to_double_exactly();
-    ++found[static_cast<double>(static_cast<float>(t)) == t ? 0 : 1];
+    const Contact made = rc::gen::arbitrary<Contact>()(rc::Random(seed), 100).value();
+    ++times[made.t.exponent() >= -2 ? 0 : 1];
+    ++places[made.uv[0][0].exponent() >= -2 && made.uv[1][0].exponent() >= -2 ? 0 : 1];
   }
-  EXPECT_GE(found[0], 8);
-  EXPECT_GE(found[1], 8);
+  for (const int found : {times[0], times[1], places[0], places[1]}) EXPECT_GE(found, 8);
 }
 
 TEST(RcGenerators, AContactShrinksToPointsAtRest) {
