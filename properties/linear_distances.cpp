@@ -130,15 +130,18 @@ void check_near_misses(Draw& d) {
   CLAIM(answer.verdict == Verdict::kMiss || answer.pops > 0);
 }
 
+/// Convex polygons in the domain of a patch.
+using Pieces = std::vector<std::vector<Uv<double>>>;
+
 /// A trim whose region leaves out the middle of a triangle: domains at its corners, or a ring. And
-/// that region as convex polygons.
-std::vector<std::vector<Uv<double>>> draw_pieces(Draw& d, Trim& trim) {
+/// that region in pieces.
+Pieces draw_pieces(Draw& d, Trim& trim) {
   const Shape shape = Shape::triangle(1);
   const int halvings = d.integer(1, 4);
   if (d.coin()) {
     const Uv<double> centre = {d.integer(1, 4) / 8.0, d.integer(1, 3) / 8.0};
     trim = {loop_about(shape, {0, 0}, 0), loop_about(shape, centre, halvings)};
-    std::vector<std::vector<Uv<double>>> pieces;
+    Pieces pieces;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       pieces.push_back({trim[0][k], trim[0][next], trim[1][k], trim[1][next]});
@@ -153,40 +156,73 @@ std::vector<std::vector<Uv<double>>> draw_pieces(Draw& d, Trim& trim) {
   return trim;
 }
 
+/// Gives linear patches weights and triangles trims, or leaves them as they are; what is left.
+std::array<Pieces, 2> draw_regions(Draw& d, Query& query) {
+  std::array<Pieces, 2> regions;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    if (d.coin()) patch.weights = draw_patch_weights(d, patch.positions.size());
+    regions[s] = {{{0, 0}, {1, 0}, {0, 1}}};
+    regions[s][0].resize(patch.positions.size());
+    if (patch.shape.parameter_count() == 2 && d.coin()) regions[s] = draw_pieces(d, patch.trim);
+  }
+  return regions;
+}
+
+Rational squared_distance(const Query& query, const std::array<Pieces, 2>& regions,
+                          const Rational& t) {
+  std::optional<Rational> least;
+  const auto image = [&](std::size_t s, const std::vector<Uv<double>>& piece) {
+    Points<Rational> out;
+    for (const Uv<double>& uv : piece) {
+      out.push_back(point_of(query.patches[s], {exact(uv[0]), exact(uv[1])}, t));
+    }
+    return out;
+  };
+  for (const auto& a : regions[0]) {
+    for (const auto& b : regions[1]) {
+      const Rational squared = NearestPoints()(image(0, a), image(1, b)).squared;
+      if (!least || squared < *least) least = squared;
+    }
+  }
+  return *least;
+}
+
+/// A triangle, and beside it one or an edge or point, whose first corner is near some point of the
+/// triangle.
+void check_distance_of_regions(Draw& d) {
+  Query query;
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.shape = linear_shape(&patch == &query.patches[0] ? 3 : 1 + d.below(3));
+    for (int i = 0; i < patch.shape.control_count(); ++i) {
+      patch.positions.push_back(draw_vector(d, 0));
+    }
+    patch.velocities.assign(patch.positions.size(), {0, 0, 0});
+  }
+  std::array<Pieces, 2> regions = draw_regions(d, query);
+  const int i = d.integer(0, 8), j = d.integer(0, 8 - i);
+  const auto near = point_of(query.patches[0], {Rational(i) / 8, Rational(j) / 8}, 0);
+  Vec3<double> shift = draw_vector(d, -d.integer(0, 8)) - query.patches[1].positions[0];
+  for (int k = 0; k < 3; ++k) shift[k] += near[k].get_d();
+  for (Vec3<double>& p : query.patches[1].positions) p += shift;
+  if (d.coin()) {
+    std::swap(query.patches[0], query.patches[1]);
+    std::swap(regions[0], regions[1]);
+  }
+  CLAIM(squared_distance_of_regions(query, 0) == squared_distance(query, regions, 0));
+}
+
 /// Two linear patches that start just farther apart than the separation, or as near where one is
 /// trimmed, and near each other then.
 void check_toi_after_start(Draw& d) {
   constexpr int kOneUlp = 53;
   Query query = draw_near_miss(d, kOneUlp);
-  std::array<std::vector<std::vector<Uv<double>>>, 2> pieces;
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[s];
+  for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v = -v;
-    if (d.coin()) patch.weights = draw_patch_weights(d, patch.positions.size());
-    pieces[s] = {{{0, 0}, {1, 0}, {0, 1}}};
-    pieces[s][0].resize(patch.positions.size());
-    if (patch.shape.parameter_count() == 2 && d.coin()) pieces[s] = draw_pieces(d, patch.trim);
   }
-  const auto squared_at = [&](const Rational& t) {
-    std::optional<Rational> least;
-    const auto image = [&](std::size_t s, const std::vector<Uv<double>>& piece) {
-      Points<Rational> out;
-      for (const Uv<double>& uv : piece) {
-        out.push_back(point_of(query.patches[s], {exact(uv[0]), exact(uv[1])}, t));
-      }
-      return out;
-    };
-    for (const auto& a : pieces[0]) {
-      for (const auto& b : pieces[1]) {
-        const Rational squared = NearestPoints()(image(0, a), image(1, b)).squared;
-        if (!least || squared < *least) least = squared;
-      }
-    }
-    return *least;
-  };
-  const Rational start = squared_at(0);
+  const std::array<Pieces, 2> regions = draw_regions(d, query);
+  const Rational start = squared_distance(query, regions, 0);
   if (is_trimmed(query)) {
-    CLAIM(squared_distance_of_regions(query, 0) == start);
     const double off = std::ldexp(d.coin() ? 1.0 : -1.0, -d.integer(1, kOneUlp));
     query.separation = std::sqrt(start.get_d()) * (1 + off);
   }
@@ -197,7 +233,7 @@ void check_toi_after_start(Draw& d) {
   CLAIM(start > squared || answer.verdict != Verdict::kMiss);
   if (answer.verdict != Verdict::kHit) return;
   CLAIM((*answer.toi > 0) == (start > squared));
-  CLAIM(start <= squared || squared_at(exact(*answer.toi)) >= squared);
+  CLAIM(start <= squared || squared_distance(query, regions, exact(*answer.toi)) >= squared);
 }
 
 }  // namespace
@@ -207,6 +243,9 @@ std::vector<Property> linear_distances_claims() {
            "A hit on linear patches, or the regions of their trims, is later than t = 0 iff they "
            "start farther apart than the separation, and no later than they are that near",
            "src/ccd/past_start.hpp", check_toi_after_start},
+          {"linear.distance_of_regions",
+           "The distance of the regions of trimmed linear patches is that of their pieces",
+           "src/ccd/nearest_regions.hpp", check_distance_of_regions},
           {"tdibm-c.linear_near_misses",
            "Linear patches that stay farther apart than the separation, by 2^-42 of their largest "
            "coordinate between 0 and t_max, are no hit without pops",
