@@ -254,8 +254,9 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   // (Families of bodies that turn and of meshes are made of a later contact.)
   const bool is_plain = options.family == Family::kBodies;
   const bool may_touch = is_plain && options.at_start && options.kind == CaseKind::kRP;
-  const bool at_start = may_touch && draw.below(8) == 7;
-  const std::int64_t eighths = at_start ? 0 : draw.integer(1, 8);
+  const bool overlaps = options.initial_overlap;
+  const bool at_start = overlaps || (may_touch && draw.below(8) == 7);
+  const std::int64_t eighths = overlaps ? -draw.integer(0, 8) : at_start ? 0 : draw.integer(1, 8);
   Whole approach = draw_whole(options.plane, 16, draw);
   approach[2] = is_miss || is_grazing(options.family) ? 0 : -draw.integer(1, 16);
   const Whole common = draw.coin() ? Whole{} : draw_whole(options.plane, 8, draw);
@@ -309,6 +310,17 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   }
   const bool touches = options.kind == CaseKind::kRP;
   Truth& truth = out.truth;
+  if (overlaps) {
+    // They have gone on for so long, or go back.
+    if (draw.coin()) {
+      for (MovingPatch<double>& hull : query.patches) {
+        hull.velocities[0] = Vec3<double>(0, 0, 0) - hull.velocities[0];
+      }
+    }
+    truth = decide(query).truth;
+    if (truth.contact_by() != Rational(0)) return tl::unexpected(Discard::kFirstContact);
+    return out;
+  }
   truth.collides = touches;
   if (touches) truth.witness = witness;
   if (at_start) return out;

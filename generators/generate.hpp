@@ -132,6 +132,8 @@ struct GeneratorOptions {
   bool binary64 = false;
   /// Whether these may touch at t = 0.
   bool at_start = false;
+  /// Whether all of them do. Requires Family::kBodies and RP.
+  bool initial_overlap = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for what grazes, NHP and families: that is only about eps_T² apart

@@ -197,6 +197,11 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
       if (ground_.plane) needs.angles = std::exchange(needs.turns, false);
       if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, family);
     }
+    if (ground_.ordinary && ground_.initial_overlap && !sources.empty()) {
+      Source& overlapping = sources.emplace_back(sources.front());  // Family::kBodies
+      overlapping.options.initial_overlap = true;
+      overlapping.kinds = {CaseKind::kRP};
+    }
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {

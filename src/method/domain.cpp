@@ -26,6 +26,12 @@ bool are_of_same_shapes(const Pair& a, const Pair& b) {
   return a[0].shape == b[0].shape && a[1].shape == b[1].shape;
 }
 
+/// Whether bodies that then move touch or overlap at 0.
+bool overlaps_at_start(const Case& value) {
+  return is_of_bodies(value.query) && value.query.t_max > 0 &&
+         value.truth.contact_by() == Rational(0);
+}
+
 /// The kinds of bodies that are of both lists.
 BodyKinds common(const BodyKinds& some, const BodyKinds& others) {
   if (some.empty() || others.empty()) return some.empty() ? others : some;
@@ -83,6 +89,7 @@ std::string Domain::broken_by(const Case& value) const {
     return "takes bodies of four points or more that have a volume";
   }
   const Setting setting = setting_of(value);
+  if (initial_overlap && setting == Setting::kAtAnEnd && overlaps_at_start(value)) return "";
   if (setting != Setting::kOrdinary) {
     return fmt::format("takes ordinary queries, and this is {}", name_of(setting));
   }
@@ -95,6 +102,7 @@ std::optional<Domain> Domain::with(const Domain& other) const {
               scale,
               binary32 || other.binary32,
               ordinary || other.ordinary,
+              (initial_overlap || !ordinary) && (other.initial_overlap || !other.ordinary),
               plane || other.plane};
   if (other.scale) both.scale = std::min(scale.value_or(*other.scale), *other.scale);
   for (const Pair& a : pairs) {
@@ -121,6 +129,7 @@ std::string Domain::text() const {
   if (scale) rules.push_back(fmt::format("within 2^±{}", *scale));
   if (plane) rules.emplace_back("bodies in the plane z = 0");
   if (ordinary) rules.emplace_back("ordinary queries alone");
+  if (ordinary && initial_overlap) rules.emplace_back("or bodies that overlap at 0");
   return fmt::format("{}", fmt::join(rules, ", "));
 }
 

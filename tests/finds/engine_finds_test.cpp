@@ -39,7 +39,7 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
       Domain promised;
       promised.scale = is_of_bodies(found.query) ? 7 : 14;
       promised.binary32 = is_of_bodies(found.query);
-      promised.ordinary = true;
+      promised.ordinary = promised.initial_overlap = true;
       promised.plane = engine.path().filename().string().ends_with("2d");
       const std::string broken = promised.broken_by(found);
       if (!broken.empty()) std::cout << file.path() << ": " << broken << "\n";

@@ -12,7 +12,7 @@ namespace {
 
 TEST(PluginDescription, OfBodiesAreRefusedOfWhomTakesNone) {
   for (const std::string field : {"takes_turns", "takes_angles", "takes_spins", "takes_meshes",
-                                  "takes_one_sided", "plane", "bodies"}) {
+                                  "takes_one_sided", "plane", "bodies", "initial_overlap"}) {
     const std::string value =
         field == "bodies" ? R"([{"least_points":1,"most_points":1}])" : "true";
     const std::string claim = R"({"protocol":1,")" + field + "\":" + value;

@@ -48,10 +48,14 @@ tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& n
 
 /// Refused: a claim about bodies of one that takes none, which would claim nothing.
 tl::expected<void, Fault> check_claims(const PluginDescription& d) {
-  if (d.features.bodies) return {};
-  const auto refusal = [](std::string_view field) {
-    return answer_fault(kRefusal, fmt::format("claims {} without takes_bodies", field));
+  const auto refusal = [](std::string_view field, std::string_view needs = "takes_bodies") {
+    return answer_fault(kRefusal, fmt::format("claims {} without {}", field, needs));
   };
+  if (d.domain.initial_overlap && !d.contact_at_zero) {
+    return refusal("initial_overlap", "contact_at_zero");
+  }
+  if (d.features.bodies) return {};
+  if (d.domain.initial_overlap) return refusal("initial_overlap");
   for (const FeatureClaim& claim : kFeatureClaims) {
     if (!(kPatchFeatures.*claim.feature) && d.features.*claim.feature) return refusal(claim.field);
   }
@@ -277,6 +281,7 @@ struct JsonForm<PluginDescription> {
     archive.optional("minimum_separation", d.minimum_separation, {}, Within{0.0, kMostTolerance});
     archive.optional("nan_policy", d.nan_policy);
     archive.optional("ordinary", domain.ordinary);
+    archive.optional("initial_overlap", domain.initial_overlap);
     archive.optional("plane", domain.plane);
     NumberWidth width = NumberWidth::k64;
     archive.optional("numbers", width);

@@ -188,6 +188,7 @@ class Plugin {
                         {"promise", d.promise == nullptr ? "" : d.promise},
                         {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
                         {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
+                        {"initial_overlap", (d.claims & CCDFUZZ_INITIAL_OVERLAP) != 0},
                         {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
                         {"within", d.within},
                         {"bodies", bodies}};
