@@ -80,30 +80,32 @@ const rounding = (far) => 3 * Math.sqrt(3) * 2 ** (far - 24);
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
 /// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
 /// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
-/// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `far=1` positions are
+/// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `overlap=1` it is
+/// asked about bodies that touch or overlap at the start, too, if `overlap` says what it promises of
+/// them: a hit at 0. With `far=1` positions are
 /// up to 2^far, if its promise goes so far, of bodies that are within 128 about their middle; what floats
 /// round there is allowed. It refuses other options.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
-  const { spins = '', meshTolerance = tolerance, far = 0 } = adapter;
+  const { spins = '', overlap = '', meshTolerance = tolerance, far = 0 } = adapter;
   let most = Infinity;  // of a coordinate about a body's middle; options come with the first line alone
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const options = (asked.options ?? '').split(':').filter((option) => option !== '');
     const known = ['any-numbers=1', ...(spins ? ['spins=1'] : []), ...(sides.length > 0 ? ['mesh=1'] : []),
-                   ...(far ? ['far=1'] : [])];
+                   ...(overlap ? ['overlap=1'] : []), ...(far ? ['far=1'] : [])];
     const unknown = options.find((option) => !known.includes(option));
-    const [any, turning, meshes, isFar] =
-      ['any-numbers=1', 'spins=1', 'mesh=1', 'far=1'].map((option) => options.includes(option));
+    const [any, turning, meshes, overlaps, isFar] =
+      ['any-numbers=1', 'spins=1', 'mesh=1', 'overlap=1', 'far=1'].map((option) => options.includes(option));
     if (isFar) most = 128;
     const reply = unknown !== undefined
       ? { refused: 'options', message: `unknown option ${unknown}; there are: ${known.join(' ')}` }
       : asked.ask === 'describe'
-      ? { protocol: 1, name, version, promise: turning ? spins : promise, accepts: [[hull, hull]],
+      ? { protocol: 1, name, version, promise: turning ? spins : overlaps ? overlap : promise, accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
           bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: true,
-          closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space',
+          initial_overlap: overlaps, closed_t_max: false, contact_at_zero: overlaps, tolerance_kind: 'space',
           tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? rounding(far) : 0) }
       : { id: asked.id, ...answer(asked, { plane, numbers, most }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');

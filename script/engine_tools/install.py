@@ -29,8 +29,10 @@ ENGINES = {
 }
 # The options with which an adapter is asked about all that corpus/engines keeps of its engine.
 TAKES = {
-    "rapier": "mesh=1",
-    "physx": "mesh=1",
+    "rapier": "mesh=1:overlap=1",
+    "physx": "mesh=1:overlap=1",
+    "rapier2d": "overlap=1",
+    "fcl-bodies": "overlap=1",
     "planck": "spins=1",
     "bullet": "mesh=1:spins=1",
     "box2d": "turns=1",

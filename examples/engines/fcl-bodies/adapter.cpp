@@ -1,5 +1,5 @@
-// FCL (Debian libfcl-dev): continuousCollide of balls and tetrahedra by conservative
-// advancement. Some turn, by InterpMotion, whose angular velocity is constant.
+// FCL (Debian libfcl-dev): continuousCollide of balls and tetrahedra by conservative advancement.
+// Some turn, by InterpMotion, whose angular velocity is constant. With overlap=1 some overlap at 0.
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/motion/interp_motion.h>
@@ -13,9 +13,13 @@ using Matrix = fcl::Matrix3d;
 using Motion = fcl::InterpMotion<double>;
 
 struct FclBodies {
-  explicit FclBodies(const std::string& text) { adapter::Options(text).check_all_known(); }
+  explicit FclBodies(const std::string& text) {
+    adapter::Options options(text);
+    overlap = options.number("overlap", 0) != 0;
+    options.check_all_known();
+  }
 
-  static ccd::Description describe() {
+  ccd::Description describe() const {
     ccd::Description description{"FCL", ENGINE_VERSION};
     description.claims =
         CCDFUZZ_TAKES_BODIES | CCDFUZZ_TAKES_SPINS | CCDFUZZ_ORDINARY;  // open ends
@@ -25,6 +29,10 @@ struct FclBodies {
     description.promise =
 #include "promise.json"
         ;
+    if (overlap) {
+      description.claims |= CCDFUZZ_INITIAL_OVERLAP | CCDFUZZ_CONTACT_AT_ZERO;
+      description.promise += "; where the start is in collision, the time of contact is 0";
+    }
     description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
     description.tolerance = kTimeError;
     return description;
@@ -65,6 +73,7 @@ struct FclBodies {
     return ccd::Answer::hit(adapter::scaled_toi(result.time_of_contact, query.t_max()));
   }
 
+  bool overlap = false;
   static constexpr double kTimeError = 1e-4;  // toc_err of a request, by default
 };
 
