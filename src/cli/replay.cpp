@@ -40,6 +40,7 @@ struct ReplayRow {
   std::string method;
   Expected expected, got;
   Judged judged;
+  double depth;  ///< that of what the answer overlooks (depth_of); 0 where that is not measured
   bool differs;  ///< the method shows something else when it is asked again
 
   Change change() const { return change_of(expected, got); }
@@ -122,7 +123,9 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     Expected got = asker.expected(method, known->value(), judged);
     const bool differs =
         change_of(expected, got) != Change::kNone && asker.differs(method, *known, got, search);
-    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged), differs});
+    const double depth = options.update ? depth_of(*known, judged).value_or(0) : 0;
+    result.rows.push_back(
+        {entry.id, method, expected, std::move(got), std::move(judged), depth, differs});
   }
   // A method need not answer a query that it does not take.
   if (options.expect) {
@@ -240,7 +243,6 @@ class Replay {
     }
     not_taken_ += done.not_taken;
     not_claimed_ += done.not_claimed;
-    bool changed = false;
     session_.start_group(entry.id);
     for (const ReplayRow& row : done.rows) {
       expectations_.add(row.change());
@@ -248,7 +250,6 @@ class Replay {
       budget_.add(entry, row.judged.answer);
       if (row.differs) session_.remark("{}: {}: {}", entry.id, row.method, kAnswersDiffer);
       const bool is_other = row.change() != Change::kNone;
-      changed = changed || is_other;
       if (session_.json || (is_other && ++shown_ <= kMostShown)) {
         session_.show(row, [&] {
           return change_cells(marked(row.method), to_text(row.expected),
@@ -256,15 +257,16 @@ class Replay {
         });
       }
     }
-    // What is shown may be as --expect says, and not as the entry does.
-    if (options_.update && (changed || options_.expect)) update(entry, done.rows);
+    if (options_.update) update(entry, done.rows);
   }
 
   void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {
     Case now = entry.value;
     for (const ReplayRow& row : rows) {
       if (!row.hangs_anew()) {
-        now.expect[row.method] = row.got;
+        // What is shown may be as --expect says, and not as the entry does.
+        if (row.change() != Change::kNone || options_.expect) now.expect[row.method] = row.got;
+        say_depth(now, row.method, row.depth);
         continue;
       }
       session_.remark("{}: {} hangs, by the clock: what the entry expects of it is left as it is",
@@ -360,8 +362,8 @@ void add_replay(CommandLine& line) {
                  "correct; by default what the entry says");
   Option update = command.flag(
       "--update", options->update,
-      "Write what methods show now into the entries, but no hang, which depends on the "
-      "machine, and exit with 0");
+      "Write what methods show now into the entries, with the depth, but no hang, which "
+      "depends on the machine, and exit with 0");
   // An entry says itself how it is asked.
   options->search.max_pops.reset();
   for (const Option& limit : options->search.add_to(command)) update.excludes(limit);

@@ -17,8 +17,8 @@ std::uint64_t Changes::total() const {
 }
 
 std::string Changes::text() const {
-  if (total() > 0 && all_as_expected()) return "all as expected";
-  std::string text = fmt::format("{} as expected", counts_[0]);
+  const bool is_all = total() > 0 && all_as_expected();
+  std::string text = is_all ? "all as expected" : fmt::format("{} as expected", counts_[0]);
   constexpr std::array<const char*, 4> kOne = {"", "regression", "improvement", "other change"},
                                        kMany = {"", "regressions", "improvements", "other changes"};
   for (size_t c = 1; c < counts_.size(); ++c) {

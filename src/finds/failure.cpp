@@ -73,6 +73,15 @@ void say_version(Case& find, const std::string& method, double depth) {
   if (depth > 0) more["depth"] = fmt::format("{}", depth);
 }
 
+void say_depth(Case& find, const std::string& method, double depth) {
+  Case said = find;
+  say_version(said, method, depth);
+  auto &before = find.origin.more, &now = said.origin.more;
+  if (depth > 0 && before.contains("version") && now["version"] == before["version"]) {
+    find = std::move(said);
+  }
+}
+
 std::vector<Failure> failures_of(const Case& value) {
   std::vector<Failure> failures;
   for (const auto& [method, expected] : value.expect) {

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """adapters.py CCDFUZZ FOLDER: adapters are short, and say the version that script/engines and the corpus say.
 
-No adapter has more than 80 lines, as docs/engines/README.md says. Each kept find has a version in its origin. Where FCL
-or Bullet is installed, its adapter says the version that Debian's package has.
+No adapter has more than 80 lines, as docs/engines/README.md says. Each kept find has a version in its origin, and each
+miss and late answer a depth. Where FCL or Bullet is installed, its adapter says the version that Debian's package has,
+and `replay --update` writes the depth of its finds.
 """
 import json
 import re
 import subprocess
+import shutil
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "script"))
-from engine_tools.install import ADAPTERS, ENGINES, install_debian
+from engine_tools.install import ADAPTERS, ENGINES, TAKES, install_debian
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)+")
 
@@ -28,7 +30,25 @@ def said_by_adapters(ccdfuzz, folder):
         except RuntimeError:
             continue
         rows = subprocess.run([ccdfuzz, "methods", plugin, "--json"], capture_output=True, text=True, check=True)
-        yield name, json.loads(rows.stdout)["description"].partition(";")[0].rpartition(" ")[2], version
+        yield name, plugin, json.loads(rows.stdout)["description"].partition(";")[0].rpartition(" ")[2], version
+
+
+def depths_written(ccdfuzz, name, plugin, folder):
+    """Errors of the kept finds of an engine, where `replay --update` is to write what origin.depth was."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    kept = {path.name: json.loads(path.read_text()) for path in (ROOT / "corpus/engines" / name).glob("*.json")}
+    for file, find in kept.items():
+        origin = {key: value for key, value in find["origin"].items() if key != "depth"}
+        (folder / file).write_text(json.dumps({**find, "origin": origin}))
+    options = f":{TAKES[name]}" if name in TAKES else ""
+    subprocess.run([ccdfuzz, "replay", folder, "--update", "--plugin", f"{name}={plugin}{options}"], check=True,
+                   stdout=subprocess.DEVNULL)
+    for file, find in kept.items():
+        now = json.loads((folder / file).read_text())
+        was, depth = (value["origin"].pop("depth", 0) for value in (find, now))
+        if abs(was - depth) > 1e-9 * was or now != find:
+            yield f"{name}/{file}: a depth of {was} became {depth}"
 
 
 def main():
@@ -41,7 +61,10 @@ def main():
         version = find["origin"].get("version", "none")
         if not VERSION.fullmatch(version):
             errors.append(f"{path}: origin.version: {version}")
-    for name, said, version in said_by_adapters(ccdfuzz, folder):
+        if any(shown in ("missed", "late") for shown in find["expect"].values()) and not find["origin"].get("depth", 0) > 0:
+            errors.append(f"{path}: has no origin.depth")
+    for name, plugin, said, version in said_by_adapters(ccdfuzz, folder):
+        errors += depths_written(ccdfuzz, name, plugin, folder / f"{name}-kept")
         if said != version or not VERSION.fullmatch(said):
             errors.append(f"{name}: its adapter says {said}, its package {version}")
     for path in ADAPTERS.glob("*/adapter.mjs"):
