@@ -32,8 +32,9 @@ function body(patch, { plane, numbers, most }) {
   const { positions, radius = 0, velocities, faces, sides, spin } = patch;
   const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
   const about = differences(positions, middle);
-  const exact = allFloats([middle]) && allFloats(about) &&
-    about.every((p, i) => axes.every((k) => p[k] + middle[k] === positions[i][k]));
+  const isExact = (p, q) => axes.every((k) => p[k] + middle[k] === q[k] && q[k] - p[k] === middle[k]);
+  const areGiven = numbers === 'binary64' && most < Infinity || allFloats([middle, ...about]);
+  const exact = areGiven && about.every((p, i) => isExact(p, positions[i]));
   const centre = exact ? middle : [0, 0, 0];
   const points = exact ? about : positions;
   if (numbers === 'binary32') points.concat([[radius]]).flat().forEach((x) => float32(x, 'a number'));
@@ -67,9 +68,9 @@ export function capsule({ points: [p, q] }, axis) {
 /// What the engine of an adapter says that it does, with a link: promise.json beside it.
 export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.json', adapter)));
 
-/// Positions and ways of up to 2^far end within twice that. There a float is rounded by 2^(far - 24) at
-/// most along an axis, and an engine rounds two positions and a way.
-const rounding = (far) => 3 * Math.sqrt(3) * 2 ** (far - 24);
+/// Positions and ways of up to 2^far end within twice that. There a number of so many bits is rounded
+/// by 2^(far - bits) at most along an axis, and an engine rounds two positions and a way.
+const rounding = (far, bits) => 3 * Math.sqrt(3) * 2 ** (far - bits);
 
 /// Answers queries until the input ends. cast(a, b, way, tMax) gives the share of `way`, the motion of a
 /// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
@@ -83,8 +84,8 @@ const rounding = (far) => 3 * Math.sqrt(3) * 2 ** (far - 24);
 /// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `overlap=1` it is
 /// asked about bodies that touch or overlap at the start, too, if `overlap` says what it promises of
 /// them: a hit at 0. With `far=1` positions are
-/// up to 2^far, if its promise goes so far, of bodies that are within 128 about their middle; what floats
-/// round there is allowed. It refuses other options.
+/// up to 2^far, if its promise goes so far, of bodies that are within 128 about their middle; what is
+/// rounded there is allowed. It refuses other options.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
   const { spins = '', overlap = '', meshTolerance = tolerance, far = 0 } = adapter;
@@ -106,7 +107,7 @@ export async function serve(adapter, cast) {
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
           bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: true,
           initial_overlap: overlaps, closed_t_max: false, contact_at_zero: overlaps, tolerance_kind: 'space',
-          tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? rounding(far) : 0) }
+          tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? rounding(far, numbers === 'binary32' ? 24 : 53) : 0) }
       : { id: asked.id, ...answer(asked, { plane, numbers, most }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }

@@ -4,8 +4,9 @@
 The slice is at the instant of the deepest overlap; of a late answer, at the TIME that the engine gave.
 Its plane holds the direction of the depth, and the relative motion; or an edge, where that one meets
 the overlap in a point alone. The depth is as `ccdfuzz query` has it: moved by less, whatever way, the
-bodies would still touch in the time that the answer overlooks. Coordinates are rounded doubles: a
-picture proves nothing. Bodies that turn or spin, and patches, are not drawn.
+bodies would still touch in the time that the answer overlooks. That of bodies that turn or spin, and of
+features whose points move each on its own, is what the find says: it is a lower bound. Coordinates are
+rounded doubles: a picture proves nothing. Curved, rational and trimmed patches are not drawn.
 """
 
 import argparse
@@ -24,20 +25,53 @@ def number(x):
     return float.fromhex(x) if isinstance(x, str) else float(x)
 
 
+def rotation(patch, t):
+    """Where a body has its points about its centre at a time t: a function of such a point."""
+    if "spin" in patch:
+        axis = [number(x) for x in patch["spin"]["velocity"]]
+        half = math.hypot(*axis) * t / 2
+        q = [math.cos(half), *(math.sin(half) * x / (math.hypot(*axis) or 1) for x in axis)]
+    else:
+        q = [(1 - t) * number(x) + t * number(y) for x, y in zip(patch["turn"]["from"], patch["turn"]["to"])]
+        if len(q) == 2:  # cosine and sine: a quaternion has those of half the angle
+            q = [math.hypot(*q) + q[0], 0, 0, q[1]]
+    w, u = q[0] / math.hypot(*q), tuple(x / math.hypot(*q) for x in q[1:])
+    return lambda p: add(add(p, cross(u, p), 2 * w), cross(u, cross(u, p)), 2)
+
+
 class Body:
-    """Convex parts (a hull, or the faces of a mesh), a radius, and one velocity."""
+    """Convex parts (a hull, a feature, or the faces of a mesh), a radius, and how its points move."""
 
     def __init__(self, patch):
-        if patch["shape"] != "hull" or "turn" in patch or "spin" in patch:
-            raise ValueError("only bodies are drawn, and none that turns or spins")
+        is_drawn = patch["shape"] in ("hull", "point") or patch.get("degree") == 1 and patch["shape"] != "tensor"
+        if not is_drawn or {"weights", "trim", "ends"} & set(patch):
+            raise ValueError("only bodies, vertices, edges and faces are drawn")
         points = [tuple(map(number, p)) for p in patch["positions"]]
-        faces = patch.get("faces", [range(len(points))])
-        self.parts = [[points[i] for i in face] for face in faces]
+        velocities = [tuple(map(number, v)) for v in patch["velocities"]]
+        self.moving = list(zip(points, velocities * (len(points) if len(velocities) == 1 else 1)))
+        self.faces = patch.get("faces", [range(len(points))])
         self.radius = number(patch.get("radius", 0))
-        self.velocity = tuple(map(number, patch["velocities"][0]))
+        self.turning = patch if "turn" in patch or "spin" in patch else None
+        self.velocity = velocities[0]
+        self.is_rigid = self.turning is None and len(set(velocities)) == 1
+        self.is_still = self.turning is None and not any(map(any, velocities))
+        self.parts = self.at(0)
 
     def at(self, t):
-        return [[add(p, self.velocity, t) for p in part] for part in self.parts]
+        points = [add(p, v, t) for p, v in self.moving]
+        if self.turning:
+            turned, of = rotation(self.turning, t), self.turning.get("turn") or self.turning["spin"]
+            centre = tuple(map(number, of.get("centre", (0, 0, 0))))
+            points = [add(add(centre, turned(add(p, centre, -1))), v, t) for p, v in self.moving]
+        return [[points[i] for i in face] for face in self.faces]
+
+    def way(self, t):
+        """The velocity of the middle of its points, by a difference where it is none for all."""
+        if self.is_rigid:
+            return self.velocity
+        step = 2.0 ** -20
+        one, two = ([sum(c) / len(part) for c in zip(*part)] for part in (self.at(t)[0], self.at(t + step)[0]))
+        return tuple((y - x) / step for x, y in zip(one, two))
 
 
 class Slice:
@@ -45,10 +79,39 @@ class Slice:
     axis along the motion, and its y axis along the direction of the depth."""
 
     def __init__(self, find, late, plane):
-        one, other = sorted(map(Body, find["patches"]), key=lambda body: not any(body.velocity))
+        one, other = sorted(map(Body, find["patches"]), key=lambda body: body.is_still)
         reach = one.radius + other.radius
-        motion = add(one.velocity, other.velocity, -1)
         until = number(find["t_max"]) if late is None else late
+        if one.is_rigid and other.is_rigid:
+            low, i, j, up = self.of_rigid(one, other, reach, until, late, plane)
+        else:
+            low, i, j, up = self.of_others(one, other, reach, until, late, plane)
+            self.depth = find["origin"]["depth"]
+        self.is_bound = not (one.is_rigid and other.is_rigid)
+        motion = add(one.way(low), other.way(low), -1)
+        self.time = low
+        self.bodies = [(body.at(low), body.radius) for body in (one, other)]
+        edges = directions(self.bodies[0][0][i]) + directions(self.bodies[1][0][j])
+        near = [(parts[k], radius) for (parts, radius), k in zip(self.bodies, (i, j))]
+        # The plane along the motion; along an edge where that one meets the overlap in a point alone.
+        best, visible = (-math.inf,), self.depth / 1000
+        ways = [motion, *edges, *AXES]
+        if all(len(part) == 2 and radius == 0 for part, radius in near):
+            ways = [*edges, *ways]  # of two segments, one is in the plane
+        for way in filter(any, ways):
+            if best[0] <= visible and abs(dot(unit(way), up)) < 1 - 1e-9:
+                across = unit(add(way, up, -dot(way, up)))
+                found = self.place(near, (across, up, cross(across, up)))
+                best = found if found[0] > best[0] + visible else best
+        _, self.axes, self.origin = best
+        self.arrow = dot(self.axes[0], motion), dot(self.axes[1], motion)
+        self.outlines = [[section(part, radius, self.origin, *self.axes) for part in parts]
+                         for parts, radius in self.bodies]
+        self.overlaps = [overlap(a, b) for a in self.outlines[0] for b in self.outlines[1] if a and b]
+
+    def of_rigid(self, one, other, reach, until, late, plane):
+        """The time, the part of each and the direction of the depth, which is that of a swept hull."""
+        motion = add(one.velocity, other.velocity, -1)
 
         def deepest(a, b):
             swept = a + [add(p, motion, until) for p in a]
@@ -64,21 +127,21 @@ class Slice:
         for _ in range(100 if late is None else 0):  # the depth at one time is concave
             first, last = (2 * low + high) / 3, (low + 2 * high) / 3
             low, high = (low, last) if depth_at(first) >= depth_at(last) else (first, high)
-        self.time = low
-        self.bodies = [(body.at(low), body.radius) for body in (one, other)]
-        near = [(parts[k], radius) for (parts, radius), k in zip(self.bodies, (i, j))]
-        # The plane along the motion; along an edge where that one meets the overlap in a point alone.
-        best, visible = (-math.inf,), self.depth / 1000
-        for way in filter(any, [motion, *edges, *AXES]):
-            if best[0] <= visible and abs(dot(unit(way), up)) < 1 - 1e-9:
-                across = unit(add(way, up, -dot(way, up)))
-                found = self.place(near, (across, up, cross(across, up)))
-                best = found if found[0] > best[0] + visible else best
-        _, self.axes, self.origin = best
-        self.arrow = dot(self.axes[0], motion), dot(self.axes[1], motion)
-        self.outlines = [[section(part, radius, self.origin, *self.axes) for part in parts]
-                         for parts, radius in self.bodies]
-        self.overlaps = [overlap(a, b) for a in self.outlines[0] for b in self.outlines[1] if a and b]
+        return low, i, j, up
+
+    def of_others(self, one, other, reach, until, late, plane):
+        """The same at the time of the deepest overlap; it is looked for where it is deepest of some."""
+        def deepest(t):
+            a, b = one.at(t)[0], other.at(t)[0]
+            return depth_of(a, b, reach, directions(a) + directions(b), plane)
+        times = [until * k / 256 for k in range(257)] if late is None else [late]
+        k = max(range(len(times)), key=lambda k: deepest(times[k]))
+        low, high = times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)]
+        for _ in range(100 if late is None else 0):
+            first, last = (2 * low + high) / 3, (low + 2 * high) / 3
+            low, high = (low, last) if deepest(first) >= deepest(last) else (first, high)
+        best = max((times[k], low), key=deepest)
+        return best, 0, 0, deepest(best)[1]
 
     def place(self, near, axes):
         """How much of the overlap is in the best of the planes with these axes, the axes, and the
@@ -132,7 +195,7 @@ def panel(left, title, drawn, half):
     for name, polygons in zip(("one", "other", "overlap"), (*drawn.outlines, drawn.overlaps)):
         for shown in filter(None, map(pixels, polygons)):
             text = " ".join(f"{x:.1f},{y:.1f}" for x, y in shown)
-            lines.append(f'<polygon class="{name}" points="{text}"/>' if len(shown) > 1 else
+            lines.append(f'<polygon class="{name}" points="{text}"/>' if math.dist(min(shown), max(shown)) > 0.2 else
                          f'<circle class="{name}" cx="{shown[0][0]:.1f}" cy="{shown[0][1]:.1f}" r="3"/>')
     length = math.hypot(*drawn.arrow)
     if length > 0:
@@ -140,10 +203,12 @@ def panel(left, title, drawn, half):
         lines.append(f'<path class="way" d="M{60 - x:.1f} {SIDE - 60 + y:.1f}l{2 * x:.1f} {-2 * y:.1f}" '
                      'marker-end="url(#tip)"/>')
     lines.append("</svg>")
-    step = 10 ** math.floor(math.log10(half))
+    power = math.floor(math.log10(half))
+    step = 10 ** power
     step *= next(k for k in (5, 2, 1, 0.5) if half / (k * step) >= 2)
     for k in range(-int(half / step), int(half / step) + 1):
-        at, text = SIDE / 2 * (1 + k * step / half), f"{k * step:.6g}".replace("-", "−")
+        text = f"{k * step:.6g}" if step >= 1e-4 or k == 0 else f"{k * step / 10 ** power:g}e{power}"
+        at, text = SIDE / 2 * (1 + k * step / half), text.replace("-", "−")
         lines += [f'<path class="axis" d="M{left + at:.1f} {96 + SIDE}v5M{left} {96 + SIDE - at:.1f}h-5"/>',
                   f'<text class="n" x="{left + at:.1f}" y="{114 + SIDE}" text-anchor="middle">{text}</text>',
                   f'<text class="n" x="{left - 8}" y="{100 + SIDE - at:.1f}" text-anchor="end">{text}</text>']
@@ -165,7 +230,8 @@ def svg(find, command, late, plane):
     told = [f'{engine} {find["origin"]["version"]} reports {said}. At t = {drawn.time:.5g} of '
             f'{number(find["t_max"]):g} the bodies overlap where it is red.',
             f"Blue: a {first}, which moves along the arrow. Grey: a {second}.",
-            f"They pass {drawn.depth:.3g} deep through each other. Up is the shortest way out."]
+            f"They pass {'at least ' * drawn.is_bound}{drawn.depth:.3g} deep through each other. "
+            "Up is the shortest way out."]
     width, height = 2 * SIDE + 170, SIDE + 120
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">',
              f"<desc>{html.escape(command)}</desc>",

@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 MEAN_WORDS = 18
 MAX_WORDS = 25
 MAX_WORDS_OF_OTHERS = 30
-OTHERS = ('CHANGELOG.md', 'docs/engines/', 'docs/formats.md', 'docs/guarantees.md', 'docs/plug-ins.md')
+OTHERS = ('CHANGELOG.md', 'docs/formats.md', 'docs/guarantees.md', 'docs/plug-ins.md')
 MAX_COLUMNS = 100
 ROOMS = ('src', 'generators', 'properties', 'fuzz', 'bench', 'examples')
 # A full stop, unless it is that of an abbreviation.

@@ -1,7 +1,8 @@
 // Meshes of Jolt, and what its shapes need. It rounds their corners to 21 bits of what a mesh extends over, along each axis.
 import { Refusal } from '../bodies.mjs';
 
-export const kWidest = 64;
+/// What is asked extends over no more: its numbers are up to 128, or it is so near to its middle.
+export const kWidest = 256;
 /// Half of such a step, along each of three axes.
 export const meshRounding = Math.sqrt(3) * kWidest * 2 ** -22;
 
