@@ -128,6 +128,8 @@ struct GeneratorOptions {
   BodyKinds bodies = {};
   /// Whether bodies lie and move in the plane z = 0: those of all families but meshes.
   bool plane = false;
+  /// Whether bodies spin by π/4 at most in the step.
+  bool small_spins = false;
   /// Whether bodies that do not turn may have numbers that are no floats.
   bool binary64 = false;
   /// Whether these may touch at t = 0.

@@ -1,6 +1,7 @@
 #include "generators/turning.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/nearest_float.hpp"
 #include "base/verify.hpp"
@@ -105,10 +106,11 @@ Attempted bodies_before_one(const GeneratorOptions& options, Draw& draw, const C
 
 }  // namespace
 
-void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
-  const Vec3<double> axis = draw_axis(in_plane, 1, draw);
-  // Some engines take a quarter of a half turn at most.
-  const Vec3<double> w = draw.pick(std::array{0.25, 0.5, 1.0, 2.0, 3.0}) * axis;
+void spin_back(MovingPatch<double>& body, double t, bool in_plane, bool is_small, Draw& draw) {
+  constexpr double kSmall = std::numbers::pi / 4;
+  const Vec3<double> axis = draw_axis(in_plane, is_small ? kSmall * kSmall : 1, draw);
+  constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0};
+  const Vec3<double> w = kSpeeds.at(draw.below(is_small ? 3 : kSpeeds.size())) * axis;
   MovingPatch<double> back = body;
   back.velocities[0] = {0, 0, 0};
   const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
@@ -170,7 +172,7 @@ Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
 /// more before the contact.
 Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
   Attempted made = bodies_before_one(options, draw, [&](Case& touching, size_t side, double t) {
-    spin_back(touching.query.patches[side], t, options.plane, draw);
+    spin_back(touching.query.patches[side], t, options.plane, options.small_spins, draw);
   });
   if (!made) return made;
   const Rational t = made->truth.witness->t;

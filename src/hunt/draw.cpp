@@ -167,6 +167,7 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
   options.shapes = shapes;
   options.bodies = ground_.body_kinds;
   options.plane = ground_.plane;
+  options.small_spins = ground_.small_spins;
   options.binary64 = !ground_.binary32;
   options.at_start = !ground_.ordinary;
   options.seed = seed_;

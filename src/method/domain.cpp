@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "case/body_motion.hpp"
@@ -30,6 +31,11 @@ bool are_of_same_shapes(const Pair& a, const Pair& b) {
 bool overlaps_at_start(const Case& value) {
   return is_of_bodies(value.query) && value.query.t_max > 0 &&
          value.truth.contact_by() == Rational(0);
+}
+
+/// The radians by which a body spins in a unit of time.
+double spun(const BodyTurn& turn) {
+  return turn.is_spin() ? std::hypot(turn.spin[0], turn.spin[1], turn.spin[2]) : 0;
 }
 
 /// The kinds of bodies that are of both lists.
@@ -80,6 +86,11 @@ std::string Domain::broken_by(const Query& query) const {
   if (scale && are_bodies && largest_motion(query) > std::ldexp(1.0, *scale)) {
     return fmt::format("takes bodies that move by 2^{} at most", *scale);
   }
+  if (small_spins && std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
+        return body.turn && spun(*body.turn) * query.t_max > std::numbers::pi / 4;
+      })) {
+    return "takes spins by π/4 at most in the step";
+  }
   return plane && are_bodies && !is_in_plane(query) ? "takes bodies in the plane z = 0" : "";
 }
 
@@ -103,7 +114,8 @@ std::optional<Domain> Domain::with(const Domain& other) const {
               binary32 || other.binary32,
               ordinary || other.ordinary,
               (initial_overlap || !ordinary) && (other.initial_overlap || !other.ordinary),
-              plane || other.plane};
+              plane || other.plane,
+              small_spins || other.small_spins};
   if (other.scale) both.scale = std::min(scale.value_or(*other.scale), *other.scale);
   for (const Pair& a : pairs) {
     if (other.pairs.empty()) both.pairs.push_back(a);
@@ -128,6 +140,7 @@ std::string Domain::text() const {
   if (binary32) rules.emplace_back("floats");
   if (scale) rules.push_back(fmt::format("within 2^±{}", *scale));
   if (plane) rules.emplace_back("bodies in the plane z = 0");
+  if (small_spins) rules.emplace_back("spins by π/4 at most");
   if (ordinary) rules.emplace_back("ordinary queries alone");
   if (ordinary && initial_overlap) rules.emplace_back("or bodies that overlap at 0");
   return fmt::format("{}", fmt::join(rules, ", "));

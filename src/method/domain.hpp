@@ -35,6 +35,8 @@ struct Domain {
   bool initial_overlap = false;
   /// Bodies lie and move in the plane z = 0.
   bool plane = false;
+  /// Bodies spin by π/4 at most in the step.
+  bool small_spins = false;
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;

@@ -3,12 +3,12 @@
 
 No adapter has more than 80 lines, as docs/engines/README.md says. Each kept find has a version in its origin, and each
 miss and late answer a depth. Where FCL or Bullet is installed, its adapter says the version that Debian's package has,
-and `replay --update` writes the depth of its finds.
+and `replay --update` writes the depth of its finds. Nothing is drawn that Bullet's refuses, with options that draw more.
 """
 import json
 import re
-import subprocess
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -51,6 +51,13 @@ def depths_written(ccdfuzz, name, plugin, folder):
             yield f"{name}/{file}: a depth of {was} became {depth}"
 
 
+def refused(ccdfuzz, name, plugin, folder):
+    """How many of some drawn queries an adapter refuses."""
+    told = subprocess.run([ccdfuzz, "hunt", "--cases", "12", "--plugin", f"{name}={plugin}", "--methods", f"plugin:{name}",
+                           "--shrink", "none", "--corpus", folder, "--json"], capture_output=True, text=True, check=True)
+    return sum(json.loads(row).get("not_asked", 0) for row in told.stdout.splitlines())
+
+
 def main():
     ccdfuzz, folder = sys.argv[1], Path(sys.argv[2])
     lines = {path: len(path.read_text().splitlines()) for path in ADAPTERS.glob("*/adapter.*")}
@@ -65,6 +72,8 @@ def main():
             errors.append(f"{path}: has no origin.depth")
     for name, plugin, said, version in said_by_adapters(ccdfuzz, folder):
         errors += depths_written(ccdfuzz, name, plugin, folder / f"{name}-kept")
+        if name == "bullet" and (count := refused(ccdfuzz, name, f"{plugin}:{TAKES[name]}", folder / "drawn")):
+            errors.append(f"bullet: its adapter refuses {count} of what is drawn for it")
         if said != version or not VERSION.fullmatch(said):
             errors.append(f"{name}: its adapter says {said}, its package {version}")
     for path in ADAPTERS.glob("*/adapter.mjs"):

@@ -26,7 +26,7 @@ struct Bullet {
   ccd::Description describe() const {
     ccd::Description description{"Bullet", ENGINE_VERSION};
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
-    if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
+    if (spins) description.claims |= CCDFUZZ_TAKES_SPINS | CCDFUZZ_SMALL_SPINS;
     if (meshes) description.claims |= CCDFUZZ_TAKES_MESHES;
     description.within = far ? 16 : 7;
     description.pairs = ccd::body_pairs();
@@ -36,8 +36,8 @@ struct Bullet {
 #include "promise.json"
         ;
     description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
-    // As near it stops (calcTimeOfImpact), and what rounding adds: 443 from a centre; far away.
-    description.tolerance = 1e-3 + (spins ? 1e-4 : 0) + (far ? 3 * std::sqrt(3) * 0x1p-8 : 0);
+    // As near it stops (calcTimeOfImpact), and what rounding adds of spins, and far away.
+    description.tolerance = 1e-3 + (spins ? spin_rounding : 0) + (far ? far_rounding : 0);
     return description;
   }
 

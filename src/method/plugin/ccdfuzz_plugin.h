@@ -138,9 +138,10 @@ enum {
                            * and whose contact is well inside of [0, t_max] */
   CCDFUZZ_PLANE = 1024,   /* bodies that lie and move in the plane z = 0 */
   /* And it answers bodies that turn: */
-  CCDFUZZ_TAKES_TURNS = 2048,  /* by quaternions */
-  CCDFUZZ_TAKES_ANGLES = 4096, /* by cosine and sine */
-  CCDFUZZ_TAKES_SPINS = 8192,  /* by an angular velocity */
+  CCDFUZZ_TAKES_TURNS = 2048,   /* by quaternions */
+  CCDFUZZ_TAKES_ANGLES = 4096,  /* by cosine and sine */
+  CCDFUZZ_TAKES_SPINS = 8192,   /* by an angular velocity */
+  CCDFUZZ_SMALL_SPINS = 131072, /* and by pi / 4 at most in the step: it is asked of no larger */
   /* And it answers a convex body against a mesh: */
   CCDFUZZ_TAKES_MESHES = 16384,    /* whose faces have two sides */
   CCDFUZZ_TAKES_ONE_SIDED = 32768, /* whose faces have fronts alone */

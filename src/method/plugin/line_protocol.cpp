@@ -60,6 +60,7 @@ tl::expected<void, Fault> check_claims(const PluginDescription& d) {
     if (!(kPatchFeatures.*claim.feature) && d.features.*claim.feature) return refusal(claim.field);
   }
   if (d.domain.plane) return refusal("plane");
+  if (d.domain.small_spins) return refusal("small_spins");
   if (!d.domain.body_kinds.empty()) return refusal("bodies");
   return {};
 }
@@ -283,6 +284,7 @@ struct JsonForm<PluginDescription> {
     archive.optional("ordinary", domain.ordinary);
     archive.optional("initial_overlap", domain.initial_overlap);
     archive.optional("plane", domain.plane);
+    archive.optional("small_spins", domain.small_spins);
     NumberWidth width = NumberWidth::k64;
     archive.optional("numbers", width);
     domain.binary32 = width == NumberWidth::k32;

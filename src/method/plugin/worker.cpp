@@ -190,6 +190,7 @@ class Plugin {
                         {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
                         {"initial_overlap", (d.claims & CCDFUZZ_INITIAL_OVERLAP) != 0},
                         {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
+                        {"small_spins", (d.claims & CCDFUZZ_SMALL_SPINS) != 0},
                         {"within", d.within},
                         {"bodies", bodies}};
     for (const ccdfuzz::FeatureClaim& claim : ccdfuzz::kFeatureClaims) {
