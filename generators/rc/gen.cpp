@@ -96,6 +96,7 @@ rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
     throw std::invalid_argument(
         "gen::contact: shapes: are given, and so are pairs that are promised");
   }
+  if (promised.plane) throw std::invalid_argument("gen::contact: plane: is of bodies alone");
   for (const Domain::Pair& pair : promised.pairs) {
     ContactRange largest = range;
     largest.shapes = shapes_of(pair, [](int most) { return most; });

@@ -21,11 +21,11 @@ struct Domain {
   };
   /// They may be asked together, in either order.
   using Pair = std::array<Side, 2>;
-  std::vector<Pair> pairs;  ///< empty: all
-  BodyKinds body_kinds;     ///< empty: all
+  std::vector<Pair> pairs = {};  ///< empty: all
+  BodyKinds body_kinds = {};     ///< empty: all
   /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]. A body moves by no more than
   /// 2^scale along an axis, nor do both against each other.
-  std::optional<int> scale;
+  std::optional<int> scale = {};
   /// Each number is a float, and bodies are given as floats (body_motion.hpp).
   bool binary32 = false;
   /// Only cases of Setting::kOrdinary that are not shallow: apart at the start, with extent, in

@@ -167,6 +167,7 @@ TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
   promised.scale.reset();
   EXPECT_EQ(refusal_of({.shapes = {{Shape::point(), Shape::point()}}}, promised),
             "gen::contact: shapes: are given, and so are pairs that are promised");
+  EXPECT_EQ(refusal_of({}, {.plane = true}), "gen::contact: plane: is of bodies alone");
   promised.pairs[0][1].max_degree = 9;
   EXPECT_EQ(refusal_of({}, promised),
             "gen::contact: shapes: triangle(9) is no patch of degrees from 1 to 8");
