@@ -7,6 +7,7 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/round.hpp"
 #include "method/method.hpp"
@@ -110,6 +111,39 @@ void check_linear_clearances(Draw& d) {
   CLAIM(is_clear(t, true, std::nextafter(separation, 0)));
 }
 
+/// A point (t, −m − 2, m), and an edge along (1, t, 0) about the origin. The square of its distance
+/// from the edge's line is m² + (t² + m + 2)² / (1 + t²) = (m + 2)² + (t² − m)² / (1 + t²). So they
+/// come as near as m + 2 at t = √m alone. They also drift, on axes and in units of their own.
+void check_grazes(Draw& d) {
+  const int m = d.integer(1, 1000), off = d.integer(-1, 1);
+  const int exponent = d.integer(-40, 40), length = 1 << d.integer(5, 7);
+  const std::size_t first = d.below(3);
+  const Vec3<double> drift = draw_integers(d, 9);
+  const auto placed = [&](double x, double y, double z) {
+    const std::array at = {x, y, z};
+    Vec3<double> out;
+    for (std::size_t k = 0; k < 3; ++k) out[static_cast<int>((first + k) % 3)] = at[k];
+    return Vec3<double>(std::ldexp(1.0, exponent) * out);
+  };
+  const double n = length;
+  Query query;
+  query.patches[0] = {Shape::point(), {placed(0, -m - 2, m)}, {placed(1, 0, 0) + drift}};
+  query.patches[1] = {Shape::curve(1),
+                      {placed(-n, 0, 0), placed(n, 0, 0)},
+                      {placed(0, -n, 0) + drift, placed(0, n, 0) + drift}};
+  if (d.coin()) std::swap(query.patches[0], query.patches[1]);
+  query.t_max = 32;
+  query.separation = std::ldexp(m + 2, exponent);
+  if (off != 0) query.separation = std::nextafter(query.separation, off > 0 ? HUGE_VAL : 0);
+  show(d, "query", query);
+  const Truth truth = decide(query).truth;
+  CLAIM(truth.collides == (off >= 0));
+  if (off < 0) return;
+  const Rational &clear = *truth.clear_until, by = *truth.contact_by();
+  CLAIM(clear * clear <= m && (off > 0 || by * by >= m));
+  CLAIM(by - clear <= query.t_max * power_of_two(-64));
+}
+
 /// A hit is at the distance, as far as doubles tell, or with pops as far as cells do.
 void claim_at_distance(const Query& query, double size, Draw& d) {
   const Answer answer = asked(d, "tdibm-c", query, {});
@@ -127,11 +161,8 @@ void claim_at_distance(const Query& query, double size, Draw& d) {
 
 /// A hit on a linear query is a contact, and a miss is none, in both orders of the patches.
 void check_linear_apart(Draw& d) {
-  Query query = supposed(draw_linear(d));
+  Query query = draw_linear_apart(d);
   const double size = largest_coordinate_at_ends(query);
-  const int exponent = -d.integer(0, 12);
-  query.separation = size * std::ldexp(d.pick(std::array{1.0, 1.25}), exponent);
-  suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
   claim_at_distance(query, size, d);
   std::swap(query.patches[0], query.patches[1]);
   claim_at_distance(query, size, d);
@@ -160,6 +191,10 @@ std::vector<Property> distances_claims() {
        "Linear patches are decided to be clear up to the time at which they are planted to come as "
        "near as the separation, and no longer, to the last float of it",
        "src/certify/checker/check_linear.hpp", check_linear_clearances},
+      {"separation.linear_grazes",
+       "Linear patches that come as near as the separation at one time alone, mostly an irrational "
+       "one, are in contact then, and not at a float less",
+       "src/certify/oracle/decide_linear.hpp", check_grazes},
       {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
        kCertified, check_linear_apart},
   };

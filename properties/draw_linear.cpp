@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bezier/exact_patch.hpp"
+#include "case/scale.hpp"
 #include "generators/shaped/contact_scene.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -136,6 +139,15 @@ Result<Query> draw_linear(Draw& choices) {
   }
   const double t_contact = *t.to_double_exactly();
   query.t_max = choices.pick(std::array{1.0, t_contact, 2.0, t_contact + 0x1p-30});
+  return query;
+}
+
+Query draw_linear_apart(Draw& choices) {
+  Query query = supposed(draw_linear(choices));
+  const double size = largest_coordinate_at_ends(query);
+  const int exponent = -choices.integer(0, 12);
+  query.separation = size * std::ldexp(choices.pick(std::array{1.0, 1.25}), exponent);
+  suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
   return query;
 }
 

@@ -17,6 +17,10 @@ namespace ccdfuzz {
 /// double holds.
 Result<Query> draw_linear(Draw& choices);
 
+/// The same at a separation: its largest coordinate in [0, t_max], or a part of that. Discarded if
+/// one is near the ends of the doubles.
+Query draw_linear_apart(Draw& choices);
+
 /// The linear shape of so many corners, 1 to 3.
 Shape linear_shape(std::size_t corners);
 

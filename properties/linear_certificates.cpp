@@ -9,19 +9,24 @@ namespace ccdfuzz {
 
 namespace {
 
+/// Touching, or at a separation.
+Query draw_linear_query(Draw& d) {
+  return d.coin() ? draw_linear_apart(d) : supposed(draw_linear(d));
+}
+
 /// A clearance that ends before, at or after the first contact, or before t = 0. If after, at a
 /// time of which the contact's is a number of eighths, which halving reaches: else the checker
 /// refuses, too, but only after 4,000 halvings.
 void check_clearance_of_linear(Draw& d) {
   Case asked;
-  asked.query = supposed(draw_linear(d));
+  asked.query = draw_linear_query(d);
   auto contact = linear::first_contact(asked.query);
   LinearClearance clearance{exact(asked.query.t_max), d.coin()};
   if (contact) {
-    contact->time.narrow(power_of_two(-64));
-    clearance.until = contact->time.lo();
+    contact->narrow(power_of_two(-64));
+    clearance.until = contact->lo();
   }
-  const bool known = !contact || contact->time.is_rational();
+  const bool known = !contact || contact->is_rational();
   const int eighths = d.integer(0, 16);
   if (eighths == 0) {
     clearance.until = -power_of_two(-64);
@@ -32,8 +37,7 @@ void check_clearance_of_linear(Draw& d) {
   const Rational& until = clearance.until;
   bool clear = until >= 0;
   if (clear && contact) {
-    const int after =
-        contact->time.sign_of(linear::Polynomial({-until.get_num(), until.get_den()}));
+    const int after = contact->sign_of(linear::Polynomial({-until.get_num(), until.get_den()}));
     clear = clearance.closed ? after > 0 : after >= 0;
   }
   asked.truth.clearance = clearance;
@@ -57,19 +61,19 @@ void move_along_an_edge(Draw& choices, Query& query, const Rational& t) {
   }
 }
 
-bool touch_within(const Query& query, const Rational& from, const Rational& by) {
+bool meet_within(const Query& query, const Rational& from, const Rational& by) {
   auto patches = linear::exact_patches(query);
   for (MovingPatch<Rational>& patch : patches) patch.positions = patch.at(from);
-  return linear::first_contact(patches, by - from).has_value();
+  return linear::first_contact(patches, by - from, exact(query.separation)).has_value();
 }
 
 /// What an accepted root must be: a contact at it, if it is rational by its polynomial, or else in
 /// its interval.
 bool is_contact(const Query& query, const ContactRoot& root) {
   if (root.from < 0) return false;
-  if (root.polynomial.size() != 2) return touch_within(query, root.from, root.by);
+  if (root.polynomial.size() != 2) return meet_within(query, root.from, root.by);
   const Rational t = Rational(-root.polynomial[0]) / root.polynomial[1];
-  return root.from < t && t < root.by && touch_within(query, t, t);
+  return root.from < t && t < root.by && meet_within(query, t, t);
 }
 
 /// The linear polynomial with this root.
@@ -77,7 +81,7 @@ std::vector<Integer> with_root(const Rational& t) {
   return {-t.get_num(), t.get_den()};
 }
 
-enum class RootChange : std::uint8_t { kNone, kElsewhere, kMoved, kOtherTime, kEarlier };
+enum class RootChange : std::uint8_t { kNone, kElsewhere, kMoved, kOtherTime, kEarlier, kNearer };
 
 /// One thing of a contact's certificate changed, be it the query.
 void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& root) {
@@ -103,6 +107,9 @@ void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& ro
       root.from *= share;
       if (choices.coin()) root.polynomial = with_root((root.from + root.by) / 2);
       break;
+    case RootChange::kNearer:
+      query.separation *= 1 - std::ldexp(1.0, -choices.integer(1, 53));
+      break;
   }
 }
 
@@ -111,9 +118,9 @@ void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& ro
 void check_root_of_linear(Draw& d) {
   Case asked;
   Query& query = asked.query;
-  query = supposed(draw_linear(d));
-  linear::RealRoot time = supposed(linear::first_contact(query)).time;
-  const auto change = static_cast<RootChange>(d.choose(4));
+  query = draw_linear_query(d);
+  linear::RealRoot time = supposed(linear::first_contact(query));
+  const auto change = static_cast<RootChange>(d.choose(5));
   ContactRoot& root = asked.truth.contact_root.emplace();
   // Shorter intervals than the oracle tries are not needed.
   constexpr int kMostRounds = 64;
@@ -142,11 +149,14 @@ std::vector<Property> linear_certificates_claims() {
   constexpr auto kSource = "src/certify/checker/check_linear.hpp";
   return {
       {"checker.refuses_wrong_linear_clearances",
-       "A linear clearance is accepted iff it ends before the first contact, or with it and open",
+       "A linear clearance, also at a separation, is accepted iff it ends before the first "
+       "contact, "
+       "or with it and open",
        kSource, check_clearance_of_linear},
       {"checker.refuses_wrong_roots",
-       "The root of a contact is accepted, and after a change only if it is one still", kSource,
-       check_root_of_linear},
+       "The root of a contact, also at a separation, is accepted, and after a change only if it is "
+       "one still",
+       kSource, check_root_of_linear},
   };
 }
 

@@ -156,7 +156,7 @@ void check_answer(Draw& d) {
   // Enclosures of times are halved until they are narrower than a thousandth of the precision.
   const Rational toi = exact(*answer.toi);
   const Rational allowed = exact(options.precision) * exact(query.t_max);
-  auto time = contact->time;
+  auto time = *contact;
   while (time.hi() - time.lo() > allowed / 1024) time.refine();
   CLAIM(is_at_least(time, toi));
   CLAIM(time.lo() - toi <= allowed);
@@ -199,8 +199,8 @@ void check_doubles(Draw& d) {
   // What brings the width to normalised time and back is off by 2^-50 of it.
   const Rational lo = exact(std::ldexp(rough.time, normalised.time)) - exact(from);
   const Rational hi = lo + exact(width) * (1 + power_of_two(-50));
-  CLAIM(is_at_least(contact->time, lo));
-  CLAIM(!is_at_least(contact->time, hi));
+  CLAIM(is_at_least(*contact, lo));
+  CLAIM(!is_at_least(*contact, hi));
 }
 
 }  // namespace
@@ -211,9 +211,9 @@ std::function<void(Draw&)> misses_nothing_linear(std::string method, SearchOptio
     const auto contact = supposed(linear::first_contact(query));
     const Answer answer = asked(d, method, query, options);
     if (answer.verdict == Verdict::kUndecided) return;
-    show(d, "contact after", contact.time.lo());
+    show(d, "contact after", contact.lo());
     CLAIM(answer.verdict == Verdict::kHit);
-    CLAIM(is_at_least(contact.time, exact(answer.toi.value())));
+    CLAIM(is_at_least(contact, exact(answer.toi.value())));
   };
 }
 

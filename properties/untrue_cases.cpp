@@ -17,7 +17,7 @@ Rational draw_step(Draw& choices, int most_bits) {
 }
 
 /// A linear query with the checker's own decision: clear up to its first contact, and the witness.
-/// If the contact is at an irrational time, it has the root instead.
+/// If the contact is at an irrational time, it may have the root instead.
 Case draw_linear_proofs(Draw& choices) {
   Case proven;
   proven.query = supposed(draw_linear(choices));
@@ -27,7 +27,7 @@ Case draw_linear_proofs(Draw& choices) {
   truth.contact_root = decided.contact_root;
   LinearClearance clearance{exact(proven.query.t_max), choices.coin()};
   if (truth.witness || truth.contact_root) {
-    const Rational first = truth.witness ? truth.witness->t : truth.contact_root->from;
+    const Rational first = decided.clear_until.value_or(0);
     if (clearance.closed) {
       clearance = {first / 2, first > 0};
     } else {

@@ -39,11 +39,11 @@ struct ContactBox {
 };
 
 /// The highest degree that a ContactRoot's polynomial may have in a file. It divides a polynomial
-/// of degree 4 or less (check_linear.hpp), so higher degrees prove nothing new; proofs have 3 or
+/// of degree 10 or less (check_linear.hpp), so higher degrees prove nothing new; proofs have 6 or
 /// less.
 inline constexpr size_t kMaxRootDegree = 16;
 
-/// Certificate R: a root of a polynomial in time, at which two linear patches touch.
+/// Certificate R: a root of a polynomial in time, at which two linear patches are in contact.
 struct ContactRoot {
   std::vector<Integer> polynomial;  ///< polynomial[k] belongs to t^k
   Rational from, by;                ///< the root is between them, where the sign changes

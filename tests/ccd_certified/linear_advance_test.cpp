@@ -82,9 +82,9 @@ TEST(LinearAdvance, NeverPassesAContact) {
     ++contacts;
     ASSERT_FALSE(is_clear) << to_json({query, {}, {}, {}});
     const Rational time = exact(original_time(advanced.time, normalised.time));
-    ASSERT_GE(contact->time.sign_of(linear::Polynomial({-time.get_num(), time.get_den()})), 0)
+    ASSERT_GE(contact->sign_of(linear::Polynomial({-time.get_num(), time.get_den()})), 0)
         << to_json({query, {}, {}, {}});
-    const Rational early = contact->time.lo() - time;
+    const Rational early = contact->lo() - time;
     reached += advanced.kind == Advancement::Kind::kStopped && early < power_of_two(-20);
   }
   // All of it happens. Where patches turn much, the general search is to do the rest.

@@ -37,10 +37,10 @@ std::string difference(const Query& query) {
   std::string wrong;
   if (answer.verdict != (contact ? Verdict::kHit : Verdict::kMiss)) {
     wrong = contact ? "misses a contact" : "finds a contact where there is none";
-  } else if (hit && exact(*answer.toi) > contact->time.hi()) {
+  } else if (hit && exact(*answer.toi) > contact->hi()) {
     wrong = fmt::format("late at {}", to_hex(*answer.toi));
   } else if (hit &&
-             contact->time.lo() - exact(*answer.toi) >
+             contact->lo() - exact(*answer.toi) >
                  exact(kPrecision * query.t_max + std::numeric_limits<double>::denorm_min())) {
     wrong = fmt::format("early at {}", to_hex(*answer.toi));
   }
@@ -222,9 +222,9 @@ TEST(LawL8, TheTimeIsNoMoreThanAStepBeforeTheContact) {
     ++hits;
     for (const int level : {44, 47, 50}) {
       const Rational toi = exact(first_linear_contact(query, level).toi);
-      ASSERT_LE(toi, contact->time.hi()) << to_json({query, {}, {}, {}});
+      ASSERT_LE(toi, contact->hi()) << to_json({query, {}, {}, {}});
       const Rational early = exact(query.t_max) * power_of_two(-level) + toi * power_of_two(-48);
-      ASSERT_LE(contact->time.lo(), toi + early) << to_json({query, {}, {}, {}});
+      ASSERT_LE(contact->lo(), toi + early) << to_json({query, {}, {}, {}});
     }
   }
   EXPECT_GE(hits, 10);
@@ -244,7 +244,7 @@ TEST(LawL9, SaysWhatExactArithmeticFinds) {
     ASSERT_EQ(contact.has_value(), is_proven) << to_json({query, {}, {}, {}});
     ++(is_proven ? proven : none);
     if (!is_proven) continue;
-    ASSERT_LE(exact(std::ldexp(rough.time, normalised.time)), contact->time.hi());
+    ASSERT_LE(exact(std::ldexp(rough.time, normalised.time)), contact->hi());
   }
   EXPECT_GT(none, 10);
   EXPECT_GT(proven, 10);

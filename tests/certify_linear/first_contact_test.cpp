@@ -23,15 +23,15 @@ TEST(FirstContact, AtAnIrrationalTimeIsEnclosedAsTightlyAsAsked) {
   const Query query = irrational_query();
   auto contact = first_contact(query);
   ASSERT_TRUE(contact);
-  contact->time.narrow(power_of_two(-200));
-  ASSERT_FALSE(contact->time.is_rational());
-  const Rational lo = contact->time.lo(), hi = contact->time.hi();
+  contact->narrow(power_of_two(-200));
+  ASSERT_FALSE(contact->is_rational());
+  const Rational lo = contact->lo(), hi = contact->hi();
   EXPECT_LE(Rational(hi - lo), power_of_two(-200));
   EXPECT_TRUE(check_linear_clearance(query, {lo, true}));
   if (kOneIn == 1) {  // halves until it gives up
     EXPECT_FALSE(check_linear_clearance(query, {hi, true}));
   }
-  const ContactRoot root{contact->time.polynomial().coefficients(), lo, hi};
+  const ContactRoot root{contact->polynomial().coefficients(), lo, hi};
   EXPECT_TRUE(check_contact_root(query, root));
   EXPECT_FALSE(check_contact_root(query, {{}, lo, hi}));
 }

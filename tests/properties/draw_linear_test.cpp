@@ -48,9 +48,9 @@ std::vector<PolyVector> moving_points(const Query& query) {
   return points;
 }
 
-bool is_at(linear::FirstContact& contact, double t) {
+bool is_at(linear::RealRoot& contact, double t) {
   const Rational at = exact(t);
-  return contact.time.sign_of(Polynomial({-at.get_num(), at.get_den()})) == 0;
+  return contact.sign_of(Polynomial({-at.get_num(), at.get_den()})) == 0;
 }
 
 /// Whether one coordinate of one point, moved by one float, decides between contact and none.

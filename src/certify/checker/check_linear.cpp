@@ -88,16 +88,15 @@ struct TouchTest {
 /// Whether they come as near as a distance > 0.
 struct DistanceTest {
   using AtEnd = unsigned;  ///< a bit for each direction that shows that they are farther apart
-  static constexpr int kDirections = 7;
   const Integer& distance;
   Work& work;
 
   Integer distance_after(int halvings) const { return distance << halvings; }
 
   AtEnd at_end(const Triangle& triangle, size_t end, int halvings) const {
-    const LinearDirections of(triangle, distance_after(halvings), work, end, end + 1);
+    const LinearDirections of(triangle, {distance_after(halvings)}, work, end, end + 1);
     AtEnd shown = 0;
-    for (int i = 0; i < kDirections; ++i) shown |= of.show_farther(i) ? 1U << i : 0;
+    for (int i = 0; i < LinearDirections::kCount; ++i) shown |= of.show_farther(i) ? 1U << i : 0;
     return shown;
   }
 
@@ -106,8 +105,8 @@ struct DistanceTest {
                   int halvings) const {
     const AtEnd may_be = closed ? start & end : start;
     if (may_be == 0) return false;
-    const LinearDirections of(triangle, distance_after(halvings), work);
-    for (int i = 0; i < kDirections; ++i) {
+    const LinearDirections of(triangle, Form(2, distance_after(halvings)), work);
+    for (int i = 0; i < LinearDirections::kCount; ++i) {
       if ((may_be >> i & 1U) != 0 && of.show_farther(i)) return true;
     }
     return false;
@@ -136,8 +135,7 @@ Rational exact_velocity(const MovingPatch<double>& patch, size_t i, int k) {
 /// a pair of rationals. All times a common positive number, so that they are integers, and so is
 /// the separation, which is put into `distance`.
 template <class Ends>
-std::vector<Triangle> triangles_between(const Query& query, const Ends& ends,
-                                        Integer* distance = nullptr) {
+std::vector<Triangle> triangles_between(const Query& query, const Ends& ends, Integer& distance) {
   std::vector<std::array<Rational, 2>> exact_ends;
   const auto places = triangles_of(query);
   const Rational separation = exact(query.separation);
@@ -153,7 +151,7 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends,
       }
     }
   }
-  if (distance != nullptr) *distance = Rational(separation * denominator).get_num();
+  distance = Rational(separation * denominator).get_num();
   std::vector<Triangle> out(places.size());
   size_t next = 0;
   for (Triangle& triangle : out) {
@@ -235,6 +233,23 @@ bool divides(const Form& p, Form f, Work& work) {
   return std::ranges::all_of(f, [](const Integer& c) { return c == 0; });
 }
 
+/// True iff it is shown that a triangle is as near as the separation at the root of p. All that
+/// nearness() asks for is so by its coefficients on the interval, or is 0 as p divides it.
+/// power, end: the triangle in powers of t, and with its ends at those of the interval.
+bool is_near_at_root(const Form& p, const LinearDirections& power, const LinearDirections& end,
+                     Work& work) {
+  for (int k = 0; k < LinearDirections::kCount; ++k) {
+    const LinearDirections::Nearness x = power.nearness(k), y = end.nearness(k);
+    bool holds =
+        is_strictly(y.sum, 1, true) && (has_no_sign(y.excess, 1) || divides(p, x.excess, work));
+    for (size_t i = 0; i < 3; ++i) {
+      holds &= has_no_sign(y.weights[i], -1) || divides(p, x.weights[i], work);
+    }
+    if (holds) return true;
+  }
+  return false;
+}
+
 Result<void> refuse_unless_linear(const Query& query, const char* where) {
   if (is_linear_query(query)) return {};
   return input_error(where, fmt::format("{} and {} are not linear", to_text(query.patches[0].shape),
@@ -256,7 +271,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
     return {p, p + until * v};
   };
   Integer distance;
-  const std::vector<Triangle> triangles = triangles_between(query, ends, &distance);
+  const std::vector<Triangle> triangles = triangles_between(query, ends, distance);
   const auto decide_by = [&](const auto& test) -> Result<void> {
     for (const Triangle& triangle : triangles) {
       // Halving would come near this contact without end.
@@ -296,8 +311,15 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
   const auto ends = [&](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
     return {x + root.from * v, x + root.by * v};
   };
-  const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
+  Integer distance, at_ends;  // in the units of either
+  const auto in_powers = triangles_between(query, powers, distance);
+  const auto in_ends = triangles_between(query, ends, at_ends);
   for (size_t i = 0; i < in_powers.size(); ++i) {
+    if (distance > 0) {
+      const LinearDirections power(in_powers[i], {distance, 0}, work);
+      if (is_near_at_root(p, power, {in_ends[i], Form(2, at_ends), work}, work)) return {};
+      continue;
+    }
     const Products power(in_powers[i], work), end(in_ends[i], work);
     bool holds = divides(p, power.d3(), work), some_d = false;
     for (size_t k = 0; k < 3; ++k) {
@@ -306,7 +328,7 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
     }
     if (holds && (some_d || is_strictly(end.m(), 1, true))) return {};
   }
-  return input_error(kRoot, "it is not shown that the patches touch at the root");
+  return input_error(kRoot, "it is not shown that the patches are in contact at the root");
 }
 
 }  // namespace

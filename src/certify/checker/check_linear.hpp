@@ -34,11 +34,15 @@ bool is_linear_query(const Query& query);
 Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,
                                     std::uint64_t most_work = kMostWork);
 
-/// Certificate R: checks in exact arithmetic that linear patches touch at the root.
+/// Certificate R: checks in exact arithmetic that linear patches are in contact at the root.
 /// Proof. The polynomial p changes its sign between `from` and `by`, so it has a root there. The
 /// following holds for one of the triangles. p divides D, so that D is 0 at the root. p divides
 /// s_i, or s_i ≥ 0 by its coefficients of Bernstein on [from, by]. m > 0 by its, or p divides some
 /// d_i, or d_i ≤ 0 by its.
+/// With a separation > 0 they are as near as that at the root, by one of the points of a triangle
+/// that LinearDirections::nearness describes. At the root its weights are ≥ 0, their sum is > 0,
+/// and it is no farther from the origin. The sum has its sign by its coefficients. The others have
+/// theirs by these, or p divides them.
 /// Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
 Result<void> check_contact_root(const Query& query, const ContactRoot& root,
                                 std::uint64_t most_work = kMostWork);

@@ -4,49 +4,83 @@
 
 namespace ccdfuzz {
 
-/// Directions along which a moving triangle may be farther from the origin than a distance d. They
-/// are those to its corners, its edges and its plane. Whatever of it is nearest to the origin, the
-/// way there is one of them. For corners a, b, c and e = b − a these are
-///   a,  a·(e·e) − e·(a·e),  e × (c − a),  and the same of the others;
-/// the last one is taken to either side. A direction n shows it where n·p > 0 and (n·p)² > d²·n·n
-/// for all corners p. Where the triangle is farther away, the way to its nearest point shows it.
+/// Points of a moving triangle that may be nearest to the origin, and directions along which it may
+/// be farther away than a distance d. For corners a, b, c they are the corners, the feet of the
+/// origin on the lines of the edges, and that on the plane. A foot is Σ w·p / Σ w with the weights
+///   b·(b − a) of a, a·(a − b) of b;  (b×c)·n of a, and so on, with n = a×b + b×c + c×a.
+/// It is of the edge or of the triangle iff the weights are ≥ 0, and w = 1 of a corner. The sums of
+/// the weights are |b − a|² and |n|². Whatever of the triangle is nearest, it is one of the seven.
+/// So are the ways there, which are the directions; n is taken to either side. A direction shows
+/// the triangle farther away where x = direction·p > 0 and x² > d²·|direction|² for all corners p.
 class LinearDirections {
  public:
-  /// From 0 to 1 or 1 to 2: at an end, as points_of.
-  LinearDirections(const Triangle& triangle, const Integer& distance, Work& work, size_t from = 0,
+  static constexpr int kCount = 7;
+
+  /// distance: d as a form. From 0 to 1 or 1 to 2: at an end, as points_of.
+  LinearDirections(const Triangle& triangle, const Form& distance, Work& work, size_t from = 0,
                    size_t to = 2)
-      : p_(points_of(triangle, from, to)), work_(work) {
-    const Form d(to - from, distance);
-    squared_ = product(d, d, work);
+      : p_(points_of(triangle, from, to)),
+        squared_(product(distance, distance, work)),
+        work_(work) {}
+
+  /// True iff that direction shows it where x > 0, y ≥ 0, or at that end: all coefficients have the
+  /// right signs.
+  bool show_farther(int direction) const {
+    if (direction < 3) return shows(p_[static_cast<size_t>(direction)]);
+    if (direction < 6) return shows(point_of(weights_of(direction)));
+    const FormVector n = normal();
+    const Form zero(n[0].size());
+    return shows(n) || shows({zero - n[0], zero - n[1], zero - n[2]});
   }
 
-  /// True iff that direction, of 7, shows it where x > 0, y ≥ 0, or at that end: all coefficients
-  /// have the right signs.
-  bool show_farther(int direction) const {
-    const auto i = static_cast<size_t>(direction) % 3;
-    if (direction < 3) return shows(p_[i]);
-    if (direction < 6) return shows(to_edge(p_[i], p_[(i + 1) % 3]));
-    const FormVector n = cross_of(difference(p_[1], p_[0]), difference(p_[2], p_[0]), work_);
-    return shows(n) || shows(difference(zeros(n), n));
+  /// What makes one of the points one of the triangle, no farther from the origin than d: all
+  /// weights ≥ 0, their sum > 0, and |Σ w·p|² − d²·(Σ w)² ≤ 0.
+  struct Nearness {
+    std::array<Form, 3> weights;
+    Form sum, excess;
+  };
+  Nearness nearness(int direction) const {
+    Nearness out{weights_of(direction), {}, {}};
+    out.sum = out.weights[0] + out.weights[1] + out.weights[2];
+    const FormVector point = point_of(out.weights);
+    out.excess =
+        dot_of(point, point, work_) - product(squared_, product(out.sum, out.sum, work_), work_);
+    return out;
   }
 
  private:
-  static FormVector difference(const FormVector& a, const FormVector& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  static FormVector zeros(const FormVector& like) {
-    const Form zero(like[0].size());
-    return {zero, zero, zero};
+  /// n is that of (b − a) × (c − a).
+  FormVector normal() const {
+    const auto way = [&](size_t i) -> FormVector {
+      return {p_[i][0] - p_[0][0], p_[i][1] - p_[0][1], p_[i][2] - p_[0][2]};
+    };
+    return cross_of(way(1), way(2), work_);
   }
 
-  FormVector to_edge(const FormVector& a, const FormVector& b) const {
-    const FormVector e = difference(b, a);
-    const Form squared = dot_of(e, e, work_), along = dot_of(a, e, work_);
-    FormVector n;
-    for (size_t k = 0; k < 3; ++k) {
-      n[k] = product(a[k], squared, work_) - product(e[k], along, work_);
+  std::array<Form, 3> weights_of(int direction) const {
+    const auto i = static_cast<size_t>(direction) % 3, j = (i + 1) % 3, k = (i + 2) % 3;
+    std::array<Form, 3> w;
+    if (direction < 3) {
+      w[i] = {1}, w[j] = w[k] = {0};
+    } else if (direction < 6) {
+      const Form along = dot_of(p_[i], p_[j], work_);
+      w[i] = dot_of(p_[j], p_[j], work_) - along;
+      w[j] = dot_of(p_[i], p_[i], work_) - along;
+      w[k].resize(along.size());
+    } else {
+      const FormVector n = normal();
+      for (size_t c = 0; c < 3; ++c) {
+        w[c] = dot_of(n, cross_of(p_[(c + 1) % 3], p_[(c + 2) % 3], work_), work_);
+      }
     }
-    return n;
+    return w;
+  }
+
+  /// Σ w·p.
+  FormVector point_of(const std::array<Form, 3>& w) const {
+    FormVector out;
+    for (size_t k = 0; k < 3; ++k) out[k] = dot_of(w, {p_[0][k], p_[1][k], p_[2][k]}, work_);
+    return out;
   }
 
   bool shows(const FormVector& n) const {
@@ -62,7 +96,7 @@ class LinearDirections {
   }
 
   std::array<FormVector, 3> p_;
-  Form squared_;  ///< d²·(x + y)²
+  Form squared_;  ///< d²
   Work& work_;
 };
 

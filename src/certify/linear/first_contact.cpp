@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/verify.hpp"
-#include "bezier/bernstein.hpp"
 #include "bezier/exact_patch.hpp"
 #include "certify/linear/origin_in_triangle.hpp"
 
@@ -46,8 +45,8 @@ std::array<MovingVector, 3> differences(const Patches& patches, const Corners& c
   return out;
 }
 
-Integer common_denominator(const Patches& patches) {
-  Integer all = 1;
+Integer common_denominator(const Patches& patches, const Rational& separation) {
+  Integer all = separation.get_den();
   for (const MovingPatch<Rational>& patch : patches) {
     for (const auto* points : {&patch.positions, &patch.velocities}) {
       for (const Vec3<Rational>& p : *points) {
@@ -60,14 +59,17 @@ Integer common_denominator(const Patches& patches) {
 
 }  // namespace
 
-std::optional<FirstContact> first_contact(const Patches& patches, const Rational& until) {
+std::optional<RealRoot> first_contact(const Patches& patches, const Rational& until,
+                                      const Rational& separation) {
   CCDFUZZ_VERIFY(is_linear_pair(patches[0].shape, patches[1].shape) && until >= 0);
-  const Integer denominator = common_denominator(patches);
-  std::optional<FirstContact> first;
+  const Integer denominator = common_denominator(patches, separation);
+  const Integer distance = Rational(separation * denominator).get_num();
+  std::optional<RealRoot> first;
   for (const Corners& corners : triangles_of(patches[0].shape, patches[1].shape)) {
-    const OriginInTriangle triangle(differences(patches, corners, denominator));
-    std::optional<RealRoot> t = triangle.first(until);
-    if (t && (!first || compare(*t, first->time) < 0)) first = {*std::move(t), corners};
+    const auto triangle = differences(patches, corners, denominator);
+    std::optional<RealRoot> t = distance > 0 ? first_near(triangle, distance, until)
+                                             : OriginInTriangle(triangle).first(until);
+    if (t && (!first || compare(*t, *first) < 0)) first = std::move(t);
   }
   return first;
 }
@@ -76,31 +78,8 @@ std::array<MovingPatch<Rational>, 2> exact_patches(const Query& query) {
   return {exact_patch<Rational>(query.patches[0]), exact_patch<Rational>(query.patches[1])};
 }
 
-std::optional<FirstContact> first_contact(const Query& query) {
-  return first_contact(exact_patches(query), exact(query.t_max));
-}
-
-std::array<Uv<Rational>, 2> parameters_at(const Patches& patches, const Corners& corners,
-                                          const Rational& t) {
-  const Points<Rational> a = patches[0].at(t), b = patches[1].at(t);
-  std::array<Vec3<Rational>, 3> differences;
-  for (size_t c = 0; c < 3; ++c) {
-    const auto i = static_cast<size_t>(corners[c][0]), j = static_cast<size_t>(corners[c][1]);
-    for (int k = 0; k < 3; ++k) differences[c][k] = a[i][k] - b[j][k];
-  }
-  const std::array<Rational, 3> weights = weights_of_origin(differences);
-  std::array<Uv<Rational>, 2> uv;
-  for (size_t s = 0; s < 2; ++s) {
-    // Control points 0, 1, 2 of a triangle are its corners w, v, u; of a curve its ends 0 and 1.
-    const bool is_triangle = patches[s].shape.kind == ShapeKind::kTriangle;
-    uv[s] = {0, 0};
-    for (size_t c = 0; c < 3; ++c) {
-      const int place = corners[c][s];
-      if (place > 0) uv[s][is_triangle && place == 1 ? 1 : 0] += weights[c];
-    }
-    uv[s] = parameters_with_weights(patches[s].shape, patches[s].weights, uv[s]);
-  }
-  return uv;
+std::optional<RealRoot> first_contact(const Query& query) {
+  return first_contact(exact_patches(query), exact(query.t_max), exact(query.separation));
 }
 
 }  // namespace ccdfuzz::linear

@@ -1,7 +1,8 @@
 #include "certify/linear/origin_in_triangle.hpp"
-#include "numeric/products.hpp"
 
 #include <algorithm>
+
+#include "numeric/products.hpp"
 
 namespace ccdfuzz::linear {
 
@@ -46,34 +47,70 @@ std::optional<RealRoot> OriginInTriangle::first(const Rational& until) const {
   return least;
 }
 
-std::array<Rational, 3> weights_of_origin(const std::array<Vec3<Rational>, 3>& corners) {
-  std::array<Vec3<Rational>, 3> n;
-  for (size_t i = 0; i < 3; ++i) n[i] = cross(corners[(i + 1) % 3], corners[(i + 2) % 3]);
-  for (const Vec3<Rational>& plane : n) {
-    if (dot(plane, plane) == 0) continue;
-    std::array<Rational, 3> w;
-    Rational sum = 0;
-    for (size_t i = 0; i < 3; ++i) {
-      w[i] = std::max(dot(n[i], plane), Rational(0));
-      sum += w[i];
+namespace {
+
+/// The point nearest to the origin on a corner of a triangle, on the line of an edge or on the
+/// plane: Σ weights·corners / sum. It is of the corner, edge or triangle iff the weights are ≥ 0
+/// and the sum is > 0. The sum is 0 where there is no such line or plane. The square of the
+/// distance is square / sum.
+struct Foot {
+  std::array<Polynomial, 3> weights;
+  Polynomial sum, square;
+};
+
+constexpr size_t kFeatures = 7;
+
+/// With n_i the cross product of the other two corners, N the sum of the n_i:
+/// - a corner a: weight 1, square a·a;
+/// - the line of a, b: weights b·b − a·b and a·a − a·b, with the sum |b − a|², square |a×b|²;
+/// - the plane: weights n_i·N, with the sum N·N, square (a·n_a)².
+Foot foot_of_origin(const std::array<MovingVector, 3>& p, size_t feature) {
+  const size_t i = feature % 3, j = (i + 1) % 3;
+  Foot out;
+  if (feature < 3) {
+    out.weights[i] = Polynomial({1});
+    out.square = dot(p[i], p[i]);
+  } else if (feature < 6) {
+    const Polynomial along = dot(p[i], p[j]);
+    const MovingVector n = cross(p[i], p[j]);
+    out.weights[i] = dot(p[j], p[j]) - along;
+    out.weights[j] = dot(p[i], p[i]) - along;
+    out.square = dot(n, n);
+  } else {
+    std::array<MovingVector, 3> n;
+    for (size_t c = 0; c < 3; ++c) n[c] = cross(p[(c + 1) % 3], p[(c + 2) % 3]);
+    for (size_t c = 0; c < 3; ++c) {
+      for (const MovingVector& other : n) out.weights[c] += dot(n[c], other);
     }
-    for (Rational& x : w) x /= sum;
-    return w;
+    const Polynomial volume = dot(p[0], n[0]);
+    out.square = volume * volume;
   }
-  for (size_t i = 0; i < 3; ++i) {  // on a line: between corners a and b
-    const size_t a = (i + 1) % 3, b = (i + 2) % 3;
-    if (dot(corners[a], corners[b]) > 0) continue;
-    std::array<Rational, 3> w = {0, 0, 0};
-    w[a] = 1;
-    for (int k = 0; k < 3; ++k) {
-      if (corners[a][k] == 0) continue;
-      w[a] = corners[b][k] / (corners[b][k] - corners[a][k]);
-      w[b] = 1 - w[a];
+  for (const Polynomial& w : out.weights) out.sum += w;
+  return out;
+}
+
+}  // namespace
+
+std::optional<RealRoot> first_near(const std::array<MovingVector, 3>& p, const Integer& distance,
+                                   const Rational& until) {
+  const Polynomial squared({Integer(distance * distance)});
+  std::optional<RealRoot> least;
+  for (size_t feature = 0; feature < kFeatures; ++feature) {
+    const Foot foot = foot_of_origin(p, feature);
+    const auto is_in_triangle = [&foot](RealRoot& t) {
+      return t.sign_of(foot.sum) > 0 &&
+             std::ranges::none_of(foot.weights, [&t](const auto& w) { return t.sign_of(w) < 0; });
+    };
+    const Polynomial excess = foot.square - squared * foot.sum;
+    if (RealRoot start(0); start.sign_of(excess) <= 0 && is_in_triangle(start)) return start;
+    if (excess.is_zero()) continue;
+    for (RealRoot& t : roots_in(excess, 0, least ? least->hi() : until)) {
+      if (!is_in_triangle(t)) continue;
+      if (!least || compare(t, *least) < 0) least = std::move(t);
       break;
     }
-    return w;
   }
-  return {1, 0, 0};
+  return least;
 }
 
 }  // namespace ccdfuzz::linear

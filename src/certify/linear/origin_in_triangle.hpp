@@ -40,8 +40,15 @@ class OriginInTriangle {
   std::array<Polynomial, 3> dots_;
 };
 
-/// Weights ≥ 0 with sum 1 that give the origin as a mean of three points, if it is in their
-/// triangle. Else any weights, near those if it is near it.
-std::array<Rational, 3> weights_of_origin(const std::array<Vec3<Rational>, 3>& corners);
+/// The first t in the closed [0, until] at which a triangle, as above, is no farther from the
+/// origin than a distance > 0. Requires until ≥ 0.
+///
+/// Proof. It is so wherever a foot of the origin, on a corner, an edge or the plane, is a point of
+/// the triangle and as near. Let t > 0 be the first such time. The nearest point is then at the
+/// distance exactly. It is the foot on the least feature that holds it, and inside of that. So it
+/// was shortly before, and farther away. Hence its squared distance less distance² is 0 at t, and
+/// not throughout.
+std::optional<RealRoot> first_near(const std::array<MovingVector, 3>& p, const Integer& distance,
+                                   const Rational& until);
 
 }  // namespace ccdfuzz::linear

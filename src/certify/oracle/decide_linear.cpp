@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "base/verify.hpp"
+#include "bezier/bernstein.hpp"
+#include "ccd/nearest_points.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "certify/checker/check_witness.hpp"
 #include "certify/linear/first_contact.hpp"
 
 namespace ccdfuzz {
@@ -24,6 +27,21 @@ std::optional<ContactRoot> provable_root(const Query& query, linear::RealRoot& t
   return std::nullopt;
 }
 
+/// Parameters of the patches' nearest points at t.
+std::array<Uv<Rational>, 2> nearest_at(const std::array<MovingPatch<Rational>, 2>& patches,
+                                       const Rational& t) {
+  NearestPoints nearest;
+  const auto& weights = nearest(patches[0].at(t), patches[1].at(t)).weights;
+  std::array<Uv<Rational>, 2> uv;
+  for (size_t s = 0; s < 2; ++s) {
+    // Control points 0, 1, 2 of a triangle are its corners w, v, u; of a curve its ends 0 and 1.
+    const std::vector<Rational>& w = weights[s];
+    uv[s] = {w.size() > 1 ? w.back() : Rational(0), w.size() > 2 ? w[1] : Rational(0)};
+    uv[s] = parameters_with_weights(patches[s].shape, patches[s].weights, uv[s]);
+  }
+  return uv;
+}
+
 }  // namespace
 
 Decision decide_linear(const Query& query, const OracleOptions& options) {
@@ -34,24 +52,32 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
   const std::array<MovingPatch<Rational>, 2> patches = linear::exact_patches(query);
   Decision out;
   Truth& truth = out.truth;
-  auto contact = linear::first_contact(patches, until);
+  std::optional<linear::RealRoot> contact =
+      linear::first_contact(patches, until, exact(query.separation));
   if (!contact) {
     truth.clearance = LinearClearance{until, true};
   } else {
-    linear::RealRoot& time = contact->time;
+    linear::RealRoot& time = *contact;
     time.narrow(until * power_of_two(-64));
     // So that t_max is no longer in the enclosure.
     time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));
-    truth.contact_root = provable_root(query, time);
-    const auto uv = linear::parameters_at(patches, contact->corners, time.lo());
-    if (time.is_rational()) {
-      truth.witness = Witness{time.lo(), uv};
-      if (time.lo() > 0) truth.clearance = LinearClearance{time.lo(), false};
-    } else {
+    const auto at_end = [&] { return Witness{time.hi(), nearest_at(patches, time.hi())}; };
+    Witness witness = at_end();
+    // At a separation patches stay in contact, mostly. Then no root is needed.
+    bool is_contact = check_contact(query, witness).has_value();
+    if (!is_contact && !is_trimmed(query)) {
+      truth.contact_root = provable_root(query, time);
+      witness = at_end();
+      is_contact = time.is_rational();
+    }
+    if (is_contact) truth.witness = witness;
+    if (!time.is_rational()) {
       truth.clearance = LinearClearance{time.lo(), true};
+    } else if (time.lo() > 0) {
+      truth.clearance = LinearClearance{time.lo(), false};
     }
     for (size_t s = 0; s < 2; ++s) {
-      for (size_t k = 0; k < 2; ++k) out.uv[s][k] = round_down(uv[s][k]);
+      for (size_t k = 0; k < 2; ++k) out.uv[s][k] = round_down(witness.uv[s][k]);
     }
   }
   conclude(query, truth);

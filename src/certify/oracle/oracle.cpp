@@ -9,7 +9,6 @@
 #include "ccd/past_start.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/search.hpp"
-#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/work_done.hpp"
@@ -26,20 +25,21 @@ namespace {
 
 class Deciding {
  public:
-  Deciding(const Query& query, const OracleOptions& options)
+  /// clearance: what is proven already.
+  Deciding(const Query& query, const OracleOptions& options, std::optional<Clearance> clearance)
       : query_(query),
         options_(options),
-        deadline_(SearchOptions{.max_seconds = options.max_seconds, .clock = options.clock}) {}
+        deadline_(SearchOptions{.max_seconds = options.max_seconds, .clock = options.clock}) {
+    out_.truth.clearance = std::move(clearance);
+  }
 
   Decision run() {
     if (options_.known && options_.known->t <= exact(query_.t_max)) {
       CCDFUZZ_VERIFY(check_witness(query_, *options_.known));
       consider(*options_.known);
     }
-    if (!try_linear({exact(query_.t_max), true})) {
-      search();
-      prove_clear();
-    }
+    search();
+    prove_clear();
     conclude(query_, out_.truth);
     return std::move(out_);
   }
@@ -108,18 +108,9 @@ class Deciding {
     }
   }
 
-  /// Linear patches take no tree. The checker decides them itself.
-  bool try_linear(const LinearClearance& clearance) {
-    constexpr std::uint64_t kMostWork = 1 << 26;  // a tenth of a second
-    if (!is_linear_query(query_) || !check_linear_clearance(query_, clearance, kMostWork)) {
-      return false;
-    }
-    out_.truth.clearance = clearance;
-    return true;
-  }
-
+  /// True, too, if it is proven already.
   bool try_tree(const Rational& until, std::uint64_t max_nodes) {
-    if (try_linear({until, true})) return true;
+    if (out_.truth.clearance && covers(*out_.truth.clearance, until)) return true;
     std::optional<std::string> tree = build_miss_tree(query_, until, max_nodes, &deadline_);
     if (!tree) return false;
     out_.truth.clearance = MissTree{until, {}};
@@ -136,7 +127,8 @@ class Deciding {
     }
     const auto& witness = out_.truth.witness;
     if (witness && witness->t > 0) {
-      if (try_linear({witness->t, false})) return;
+      const auto& clearance = out_.truth.clearance;
+      if (clearance && until_of(*clearance) >= witness->t) return;
       if (auto plane = find_plane(query_, *witness)) {
         out_.truth.clearance = *plane;
         return;
@@ -199,10 +191,15 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
-  Decision found = is_of_bodies(query) ? decide_bodies(query, options)
-                   : linear::is_linear(query) && query.separation == 0 && !is_trimmed(query)
-                       ? decide_linear(query, options)
-                       : Deciding(query, options).run();
+  Decision found;
+  if (is_of_bodies(query)) {
+    found = decide_bodies(query, options);
+  } else {
+    if (linear::is_linear(query)) found = decide_linear(query, options);
+    if (!found.truth.collides) {
+      found = Deciding(query, options, std::move(found.truth.clearance)).run();
+    }
+  }
   if (found.truth.collides) {
     found.note.clear();
   } else if (found.note.empty()) {

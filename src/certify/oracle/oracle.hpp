@@ -47,8 +47,8 @@ void conclude(const Query& query, Truth& truth);
 
 /// Decides a query and proves the decision. tdibm-c finds what is to be proven, and tdibm-rational
 /// where that stays undecided. A contact is proven by W or M, absence by P or T. Linear queries are
-/// decided exactly (decide_linear), by W or R and L. With a separation or loops L is tried before
-/// T. Bodies are decided by W and K (decide_bodies), and those that turn by W and N
+/// decided exactly (decide_linear), by W or R and L. With trims that may leave a query to the
+/// others. Bodies are decided by W and K (decide_bodies), and those that turn by W and N
 /// (decide_turning). Both are always sought: the earliest contact, and the latest time before it
 /// that is clear. A query that is not valid stays undecided, with what is wrong with it as the
 /// note. Keeps two solvers for each thread that asked, each at most kKeptBytes.
