@@ -236,7 +236,7 @@ std::vector<Property> chosen_properties(const CheckArguments& options,
   if (options.methods.empty()) return chosen;
   std::vector<Property> about_those;
   for (const std::string& method : options.methods) {
-    need(narrowed({}, {method}));
+    need_at("--methods", narrowed({}, {method}));
     for (const Property& claim : chosen) {
       const Result<Property> one = about(claim, method);
       if (one) about_those.push_back(*one);

@@ -15,8 +15,10 @@ namespace ccdfuzz {
 
 namespace {
 
-Result<std::vector<std::string>> parse_methods(const std::string&, const std::string& text) {
-  return parse_method_list(text);
+Result<std::vector<std::string>> parse_methods(const std::string& where, const std::string& text) {
+  return parse_method_list(text).map_error([&](const InputError& error) {
+    return InputError{where, error.what};
+  });
 }
 
 Result<double> parse_precision(const std::string& where, const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "base/hex_bytes.hpp"
@@ -83,7 +84,12 @@ GeneratorOptions generator_of(const GenerateOptions& options) {
     generator.construction = Construction::kOneSided;
   }
   if (options.construction) generator.construction = *options.construction;
-  need(validate(generator));
+  // The library names what an option of the same name sets.
+  need(validate(generator).map_error([](InputError error) {
+    std::ranges::replace(error.where, '_', '-');
+    error.where.insert(0, "--");
+    return error;
+  }));
   return generator;
 }
 

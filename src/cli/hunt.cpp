@@ -234,14 +234,6 @@ void check_meant(const HuntGround& asked, const HuntGround& ground) {
   }
 }
 
-/// Says which plug-ins fail to say what they are, and why: each query is an error of theirs then.
-void note_faults(const std::vector<std::string>& methods, Session& session) {
-  for (const std::string& method : methods) {
-    const std::string fault = need(method_info(method)).fault;
-    if (!fault.empty()) session.remark("{}: {}", method, fault);
-  }
-}
-
 /// Says whose answers depend on more than the query, in the first find of each that shows it.
 void note_differing(const HuntReport& report, Session& session) {
   std::set<std::string> noted;
@@ -263,9 +255,8 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   if (options.hunt.ground.bodies && options.hunt.methods == methods_by_default()) {
     options.hunt.methods = {"oracle"};
   }
-  options.hunt.ground = need(narrowed(options.hunt.ground, options.hunt.methods));
+  options.hunt.ground = need_at("--methods", narrowed(options.hunt.ground, options.hunt.methods));
   check_meant(arguments.hunt.ground, options.hunt.ground);
-  note_faults(options.hunt.methods, session);
   Store store = need(Store::open(options.corpus));
   // Whether the page can be written is to be known before the work is done.
   if (!options.page.empty()) need(make_writable_folder(options.page));

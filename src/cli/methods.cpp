@@ -14,15 +14,11 @@ namespace ccdfuzz {
 namespace {
 
 /// All that are registered and the two kinds of plug-ins, or those that were named. Throws BadInput
-/// for one that there is not, and for a plug-in that fails to say what it is.
+/// for one that there is not.
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
-    infos.push_back(
-        need_at("method", admit_plugin(spec).and_then([&] { return method_info(spec); })));
-    if (const std::string& fault = infos.back().fault; !fault.empty()) {
-      throw BadInput{{"method", fmt::format("\"{}\": {}", spec, fault)}};
-    }
+    infos.push_back(need(admit_plugin(spec).and_then([&] { return method_info(spec); })));
   }
   if (!specs.empty()) return infos;
   infos = registered_methods();

@@ -190,7 +190,7 @@ std::optional<Case> decided_case(const Query& query) {
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {
   const auto nothing = [&] {
     return input_error(
-        "--methods",
+        "methods",
         methods.size() == 1
             ? fmt::format("{} takes no query of those that are asked for", methods.front())
             : fmt::format("no query is taken by all of {}: hunt them apart",

@@ -92,7 +92,6 @@ struct MethodInfo {
   Features features = {};
   Domain domain = {};
   std::string version = {};  ///< what a plug-in says of it; else empty
-  std::string fault = {};    ///< what a plug-in did when asked what it is; empty: it said so
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.
@@ -110,10 +109,10 @@ std::span<const MethodSwitch> method_switches();
 const std::vector<MethodInfo>& registered_methods();
 
 /// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is, once in the life of this
-/// program. One that misbehaves when asked is known by that, and every answer of it is that fault.
-/// Built-in methods need no admission. Nothing else starts a plug-in, so that files are data: a
-/// spec that a file holds is never to be admitted, only what the command line gives. Errors: as
-/// parse_plugin_spec; no plug-in: not to be loaded or run, or of another version.
+/// program. Built-in methods need no admission. Nothing else starts a plug-in, so that files are
+/// data: a spec that a file holds is never to be admitted, only what the command line gives.
+/// Errors: as parse_plugin_spec; no plug-in: not to be loaded or run, or of another version; a
+/// fault when it is asked what it is.
 Result<void> admit_plugin(const std::string& spec);
 
 /// Lets "plugin:NAME" stand for the plug-in of a spec, which is admitted by that, so that files and

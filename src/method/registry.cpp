@@ -130,9 +130,8 @@ Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
     return PullApart(*factor, spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
   }
   return input_error(
-      "--methods",
-      fmt::format("\"{}\" needs a pull-apart factor ≥ 0, as in tdibm-h:1e-12{}", spec.spec,
-                  text.empty() || factor ? "" : "; " + factor.error().what));
+      "method", fmt::format("\"{}\" needs a pull-apart factor ≥ 0, as in tdibm-h:1e-12{}",
+                            spec.spec, text.empty() || factor ? "" : "; " + factor.error().what));
 }
 
 /// A family of TdibmInclusion. policy_of: of a spec.
@@ -234,23 +233,26 @@ Result<Found> find_family(const std::string& text) {
     for (const Family& f : families()) specs.push_back(f.info.spec);
     std::error_code none;
     const char* const prefix = text.ends_with(".so") ? kPluginPrefix : kPluginProgramPrefix;
-    const std::string meant = std::filesystem::is_regular_file(text, none)
-                                  ? fmt::format("; did you mean {}{}?", prefix, text)
-                                  : did_you_mean(text, specs);
-    return input_error("--methods",
+    const std::string named = kPluginPrefix + text;
+    const std::string meant = is_admitted(named)                             ? named
+                              : std::filesystem::is_regular_file(text, none) ? prefix + text
+                                                                             : "";
+    return input_error("method",
                        fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "
                                    "plugin-exec:PATH",
-                                   text, meant, fmt::join(specs, ", ")));
+                                   text,
+                                   meant.empty() ? did_you_mean(text, specs)
+                                                 : fmt::format("; did you mean {}?", meant),
+                                   fmt::join(specs, ", ")));
   }
   const std::vector<std::string>& known = found.family->info.switches;
   std::vector<std::string> left = known;
   for (const std::string& name_of_switch : found.spec.switches) {
     if (std::erase(left, name_of_switch) != 0) continue;
-    return input_error(
-        "--methods",
-        fmt::format("\"{}\": {} takes {}", text, found.family->info.spec,
-                    known.empty() ? "no @switches"
-                                  : fmt::format("each once, @{}", fmt::join(known, ", @"))));
+    return input_error("method", fmt::format("\"{}\": {} takes {}", text, found.family->info.spec,
+                                             known.empty() ? "no @switches"
+                                                           : fmt::format("each once, @{}",
+                                                                         fmt::join(known, ", @"))));
   }
   return found;
 }
@@ -314,7 +316,7 @@ Result<std::vector<std::string>> parse_method_list(const std::string& list) {
     CCDFUZZ_TRY_VOID(admit_plugin(spec));
     CCDFUZZ_TRY_VOID(make_method(spec));
     if (std::ranges::find(specs, spec) != specs.end()) {
-      return input_error("--methods", fmt::format("\"{}\" is named twice", spec));
+      return input_error("method", fmt::format("\"{}\" is named twice", spec));
     }
     specs.push_back(spec);
   }

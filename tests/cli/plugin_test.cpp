@@ -23,9 +23,8 @@ std::vector<nlohmann::ordered_json> rows_of(const std::string& out, const std::s
 TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   const ScratchFolder folder;
   std::vector<std::string> methods;
-  for (const char* does :
-       {"crash", "exit", "throw", "hang:seconds=0.05", "memory:mb=64", "print", "silent", "nan",
-        "outside", "verdict", "small", "overrun", "stale", "describe-abort"}) {
+  for (const char* does : {"crash", "exit", "throw", "hang:seconds=0.05", "memory:mb=64", "print",
+                           "silent", "nan", "outside", "verdict", "small", "overrun", "stale"}) {
     // Only a hang reaches this limit, however busy the machine is.
     const bool hangs = std::string(does).starts_with("hang");
     methods.push_back(kMisbehaving + does + (hangs ? "" : ":seconds=30"));
@@ -35,8 +34,6 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   const Finished hunted = succeeded(
       ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods",
                fmt::format("{}", fmt::join(all, ",")), "--corpus", folder / "finds", "--json"}));
-  EXPECT_THAT(hunted.err, testing::HasSubstr("describe-abort:seconds=30: crash SIGABRT when asked "
-                                             "what it is"));
   std::map<std::string, int> finds;
   for (const auto& row : rows_of(hunted.out, "find")) {
     ++finds[row.at("method").get<std::string>()];

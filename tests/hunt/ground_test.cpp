@@ -152,7 +152,7 @@ TEST(Ground, WhatNoMethodTakesIsAnError) {
   const auto none = narrowed(bodies, {"oracle", "tdibm-c"});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().message(),
-            "--methods: no query is taken by all of oracle, tdibm-c: hunt them apart");
+            "methods: no query is taken by all of oracle, tdibm-c: hunt them apart");
 }
 
 TEST(Ground, IsOfBodiesForAPluginThatTakesThemAndNamesNoShapes) {

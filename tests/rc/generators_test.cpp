@@ -178,6 +178,9 @@ TEST(RcGenerators, SayWhatIsWrongWithOptions) {
   options.proof_pops = 0;
   EXPECT_EQ(complaint_of([&] { gen::inverse(options); }),
             "gen::inverse: proof_pops: 0 is not at least 1");
+  options.eps_t_exponent = 5;
+  EXPECT_EQ(complaint_of([&] { gen::inverse(options); }),
+            "gen::inverse: eps_t: 2^5 is not in [2^-40, 2^-1]");
   EXPECT_EQ(complaint_of([] { gen::method([](const MethodInfo&) { return false; }); }),
             "gen::method: the filter takes no method");
 }

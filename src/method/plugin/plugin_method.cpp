@@ -47,7 +47,7 @@ std::string text_of(const Answer& answer) {
   return answer.verdict == Verdict::kHit ? fmt::format("{} at {}", word, *answer.toi) : word;
 }
 
-/// The note of a fault that is a plug-in's only answer to what it is.
+/// The note of a fault when a plug-in is asked what it is.
 std::string when_described(const Fault& fault) {
   return "when asked what it is: " + fault.note;
 }
@@ -80,22 +80,17 @@ class PluginMethod : public Method {
   }
 
   bool runs_elsewhere() const override { return true; }
-  const Domain* domain() const override {
-    return plugin_->description ? &plugin_->description->domain : nullptr;
-  }
+  const Domain* domain() const override { return &plugin_->description.domain; }
 
  private:
   Answered answer_or_throw(const Query& query, const SearchOptions& options) {
-    if (const auto& own = plugin_->description; !own) {
-      throw_fault({own.error().name, when_described(own.error())});
-    }
-    const std::optional<bool> swapped = plugin_->description->domain.order_of(query);
+    const std::optional<bool> swapped = plugin_->description.domain.order_of(query);
     if (!swapped) {
       return no_answer(Verdict::kRefused,
                        fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
                                    to_text(query.patches[1].shape)));
     }
-    const TakenQuery taken(query, plugin_->is_ours ? kAllFeatures : plugin_->description->features);
+    const TakenQuery taken(query, plugin_->is_ours ? kAllFeatures : plugin_->description.features);
     if (taken.query() == nullptr) {
       return no_answer(Verdict::kRefused, taken.why());
     }
@@ -104,8 +99,8 @@ class PluginMethod : public Method {
     PluginAnswer given = ask_unless_killed(asked, options);
     hangs_ = 0;
     if (*swapped) std::swap(given.answer.uv[0], given.answer.uv[1]);
-    const AnswerTerms terms = terms_of(*plugin_->description, given, query);
-    if (auto broken = broken_tolerance(*plugin_->description, given)) {
+    const AnswerTerms terms = terms_of(plugin_->description, given, query);
+    if (auto broken = broken_tolerance(plugin_->description, given)) {
       broken_claim_ = std::move(broken);
     }
     return {std::move(given.answer), terms, std::exchange(broken_claim_, {})};
@@ -139,7 +134,7 @@ class PluginMethod : public Method {
     if (is_over()) return given;
     // Who says one thing and another by turns says the same every other time. Asking about NaN is
     // another time, too.
-    const bool asks_nan = plugin_->description->nan_policy != NanPolicy::kUndefined;
+    const bool asks_nan = plugin_->description.nan_policy != NanPolicy::kUndefined;
     if (!has_repeated_ && !asks_nan) ask_once(decoy_query(query), options);
     if (is_over()) return given;
     check_nan_policy(query, options);
@@ -181,7 +176,7 @@ class PluginMethod : public Method {
 
   /// It is judged by what it said first.
   void check_description(const std::string& line) {
-    const std::string changes = changes_between(plugin_->description->line, line);
+    const std::string changes = changes_between(plugin_->description.line, line);
     if (changes.empty()) return;
     throw_fault({"description", "describes itself otherwise when it is started again: " + changes});
   }
@@ -189,7 +184,7 @@ class PluginMethod : public Method {
   /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
   /// say then. What its process does in place of answering is a fault like any.
   void check_nan_policy(const Query& query, const SearchOptions& options) {
-    const NanPolicy policy = plugin_->description->nan_policy;
+    const NanPolicy policy = plugin_->description.nan_policy;
     if (policy == NanPolicy::kUndefined) return;
     const PoisonedQuery poisoned = poisoned_query(query);
     tl::expected<PluginAnswer, Fault> given;
@@ -224,19 +219,20 @@ class PluginMethod : public Method {
 Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text) {
   CCDFUZZ_TRY(PluginSpec spec, parse_plugin_spec(text));
   if (const auto worker = find_worker_program(); !worker) {
-    return input_error("--methods", worker.error().message());
+    return input_error("method", worker.error().message());
   }
   const ChildProgram program = {{spec.is_program ? "run" : "load", spec.path},
                                 {.seconds = spec.seconds, .megabytes = spec.megabytes}};
   Child worker(program);
   auto description = described_by(worker, spec);
-  if (!description && description.error().name == kRefusal) {
-    const std::string& why = description.error().note;
-    return input_error("--methods",
-                       fmt::format("\"{}\": {}", text,
-                                   why.empty() ? "refuses to start, and does not say why" : why));
+  if (!description) {
+    const auto& [name, note] = description.error();
+    const std::string why = name != kRefusal ? name + " " + when_described(description.error())
+                            : note.empty()   ? "refuses to start, and does not say why"
+                                             : note;
+    return input_error("method", fmt::format("\"{}\": {}", text, why));
   }
-  return std::make_shared<const KnownPlugin>(KnownPlugin{spec, std::move(description), program});
+  return std::make_shared<const KnownPlugin>(KnownPlugin{spec, *std::move(description), program});
 }
 
 /// Those that were met, by spec or name.
@@ -288,22 +284,14 @@ bool is_admitted(const std::string& spec) {
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
   const std::lock_guard lock(met.mutex);
   if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
-  return input_error("--methods", fmt::format("\"{}\" is a plug-in that the command line does not "
-                                              "name, and no other is started",
-                                              spec));
+  return input_error("method", fmt::format("\"{}\" is a plug-in that was not admitted", spec));
 }
 
 MethodInfo plugin_info(const KnownPlugin& plugin) {
   MethodInfo info;
   info.spec = plugin.spec.text;
   info.source = plugin.spec.path;
-  if (!plugin.description) {
-    const Fault& fault = plugin.description.error();
-    info.fault = fault.name + " " + when_described(fault);
-    info.description = info.fault;
-    return info;
-  }
-  const PluginDescription& d = *plugin.description;
+  const PluginDescription& d = plugin.description;
   info.description = d.version.empty() ? d.name : d.name + " " + d.version;
   info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;

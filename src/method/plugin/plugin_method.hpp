@@ -8,10 +8,10 @@
 
 namespace ccdfuzz {
 
-/// A plug-in as the host knows it: what it says of itself, or how it failed to.
+/// A plug-in as the host knows it.
 struct KnownPlugin {
   PluginSpec spec;
-  tl::expected<PluginDescription, Fault> description;
+  PluginDescription description;  ///< what it says of itself
   ChildProgram program;
   /// A built-in method in a child (served_method). It is asked on however often it hangs. What only
   /// a child does that has answered before is not its fault.
