@@ -289,12 +289,19 @@ CommandLine::CommandLine(const std::vector<Property>& properties, FindSuite find
   add_help();
 }
 
-/// Not listed: `ccdfuzz help [COMMAND]`, and with --man or --bash what is installed.
+/// Not listed: `ccdfuzz serve METHOD`, of which only the help is here (serve_if_asked); `ccdfuzz
+/// help [COMMAND]`, and with --man or --bash what is installed.
 void CommandLine::add_help() {
   struct AskedHelp {
     std::string command;
     bool manual = false, bash = false;
   };
+  CLI::App* const serve =
+      app_->add_subcommand("serve", "Answer for a method, as a plug-in by lines of JSON")
+          ->group("");
+  serve->add_option("METHOD", "A built-in method, such as tdibm-c")->required();
+  serve->get_help_ptr()->group("Other");
+  serve->footer("");
   const auto asked = std::make_shared<AskedHelp>();
   CLI::App* const help = app_->add_subcommand("help", "Show the help of a command")->group("");
   CLI::Option* const of_one = help->add_option("command", asked->command);

@@ -117,7 +117,13 @@ std::string export_csv(const ExportOptions& options, Session& session) {
     });
   }));
   need(out.commit());
-  std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
+  const std::string& path = options.output;
+  if (!is_stream(path) && csv_layout_of_path(path) != layout) {
+    session.remark("{}: commands that read it need its layout in its name, as in {}.csv", path,
+                   name_of(*layout));
+  }
+  std::string summary =
+      fmt::format("{} {} {}", count, name_of(*layout), count == 1 ? "query" : "queries");
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
   return summary;
 }

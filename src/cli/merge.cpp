@@ -11,6 +11,7 @@
 #include "finds/claim_files.hpp"
 #include "finds/entries.hpp"
 #include "finds/intake.hpp"
+#include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
 #include "io/run_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -153,6 +154,9 @@ int run_merge(const MergeOptions& options, Session& session) {
   if (static_cast<size_t>(folders) < options.inputs.size()) {
     const auto file = std::ranges::find_if_not(options.inputs, is_folder);
     throw BadInput{{*file, "is no folder, and others of the inputs are"}};
+  }
+  if (case_file_kind_by_name(options.output)) {
+    throw BadInput{{"--output", options.output + " is a file of cases by its name: name a folder"}};
   }
   return fs::exists(answers_path(options.inputs[0])) ? merge_evaluated(options, session)
                                                      : merge_corpora(options, session);

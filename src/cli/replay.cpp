@@ -320,9 +320,11 @@ class Replay {
           "not claim to find",
           not_claimed_);
     }
-    session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),
-                                 counted(expectations_.total(), "expectation", "expectations"),
-                                 expectations_.text(), left_out));
+    if (entries_ > 0 || claims_.total() == 0) {
+      session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),
+                                   counted(expectations_.total(), "expectation", "expectations"),
+                                   expectations_.text(), left_out));
+    }
     if (expectations_.count(Change::kImprovement) > 0 && !options_.update) {
       session_.remark("an improvement is a change, too: --update writes it into the entry");
     }

@@ -24,6 +24,8 @@ void serve_if_asked(int argc, char** argv, const Served& served) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty() || words[0] != "serve") return serve_by_this_program();
   words.erase(words.begin());
+  // Help is for the command line to show.
+  if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h")) return;
   double cpu_seconds = 0;
   if (words.size() >= 2 && words[0] == "--cpu-seconds") {
     cpu_seconds = std::strtod(words[1].c_str(), nullptr);
