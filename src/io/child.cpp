@@ -220,9 +220,11 @@ tl::expected<std::string, Fault> Child::ask(const std::string& line) {
   if (!runs()) start();
   const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(program_.limits.seconds));
-  read_printed();
-  printed_text_.clear();
-  printed_bytes_ = 0;
+  if (has_answered_) {
+    read_printed();
+    printed_text_.clear();
+    printed_bytes_ = 0;
+  }
   auto reply = await_reply(line + "\n", until);
   has_answered_ = reply.has_value();
   return reply;

@@ -91,10 +91,11 @@ class Child {
   pid_t pid_ = -1;
   bool has_answered_ = false;
   Descriptor questions_, replies_, printed_;
-  std::string reply_;         ///< received and not yet taken
-  std::string printed_text_;  ///< the beginning and the end of what it wrote to stderr since then
+  std::string reply_;  ///< received and not yet taken
+  /// The beginning and the end of what it wrote to stderr since its last answer or its start.
+  std::string printed_text_;
+  std::size_t printed_bytes_ = 0;    ///< of all of that
   std::uint64_t own_kibibytes_ = 0;  ///< the most that this process had when it was started
-  std::size_t printed_bytes_ = 0;    ///< since the last question
 };
 
 /// The path of the program that this process runs, also where /proc is missing.
