@@ -39,8 +39,8 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   // Each degree takes the bits of the parameters once more.
   const int degrees = std::max(1, side.shape.n + side.shape.m);
   const bool off_grid = range.off_grid && choices.coin();
-  side.at = draw_uv(choices, side.shape,
-                    off_grid ? std::max(kContactUvBits, kOffGridBits / degrees) : kContactUvBits);
+  const int bits = off_grid ? std::max(kContactUvBits, kOffGridBits / degrees) : kContactUvBits;
+  side.at = draw_uv(choices, side.shape, bits, !off_grid);
   side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
   side.rates = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
   const std::vector<bool> bearing = bearing_controls(side);

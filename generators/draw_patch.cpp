@@ -40,11 +40,11 @@ Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exp
   return points;
 }
 
-Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits) {
+Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits, bool often_at_ends) {
   const std::int64_t steps = std::int64_t{1} << bits;
   const auto up_to = [&](std::int64_t end) {
     // The ends half of the time: features of lower dimension are where methods break.
-    const std::uint64_t where = choices.choose(3);
+    const std::uint64_t where = often_at_ends ? choices.choose(3) : 2;
     if (where == 0) return std::int64_t{0};
     return where == 1 ? end : choices.integer(0, end);
   };

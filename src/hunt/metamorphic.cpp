@@ -103,8 +103,10 @@ std::optional<Related> in_halves(const Query& query, Draw&) {
 
 /// The hull with one more point, midway between two of its own.
 std::optional<MovingPatch<double>> with_middle(MovingPatch<double> hull, Draw& d) {
-  const Vec3<double> a = hull.positions[d.below(hull.positions.size())];
-  const Vec3<double> b = hull.positions[d.below(hull.positions.size())];
+  const std::size_t count = hull.positions.size();
+  if (count < 2) return std::nullopt;
+  const std::size_t first = d.below(count), step = 1 + d.below(count - 1);
+  const Vec3<double> a = hull.positions[first], b = hull.positions[(first + step) % count];
   Vec3<double>& middle = hull.positions.emplace_back();
   for (int k = 0; k < 3; ++k) {
     const auto exactly = to_double_exactly((exact(a[k]) + exact(b[k])) / 2);
