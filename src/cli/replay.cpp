@@ -266,7 +266,8 @@ class Replay {
       if (!row.hangs_anew()) {
         // What is shown may be as --expect says, and not as the entry does.
         if (row.change() != Change::kNone || options_.expect) now.expect[row.method] = row.got;
-        say_depth(now, row.method, row.depth);
+        const bool is_right = row.judged.outcome == Outcome::kCorrect;
+        if (row.depth > 0 || is_right) say_depth(now, row.method, row.depth);
         continue;
       }
       session_.remark("{}: {} hangs, by the clock: what the entry expects of it is left as it is",

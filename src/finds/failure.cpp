@@ -77,7 +77,7 @@ void say_depth(Case& find, const std::string& method, double depth) {
   Case said = find;
   say_version(said, method, depth);
   auto &before = find.origin.more, &now = said.origin.more;
-  if (depth > 0 && before.contains("version") && now["version"] == before["version"]) {
+  if (before.contains("version") && now["version"] == before["version"]) {
     find = std::move(said);
   }
 }

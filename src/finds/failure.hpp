@@ -44,8 +44,8 @@ Failure failure_of(const Case& value, const std::string& method, const Expected&
 /// neither.
 void say_version(Case& find, const std::string& method, double depth = 0);
 
-/// Makes origin.depth of a find this depth, where that is above 0 and origin.version is what the
-/// method says.
+/// Makes origin.depth of a find this depth, or removes it where that is 0, if origin.version is
+/// what the method says.
 void say_depth(Case& find, const std::string& method, double depth);
 
 /// The failures that a case expects, method by method.
