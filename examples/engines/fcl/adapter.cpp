@@ -27,8 +27,9 @@ struct Fcl {
   using Vector = fcl::Vector3<double>;
   static constexpr double kResolution = 1e-7;  // the width of its last interval, getCcdResolution
 
-  /// The share of the step that rounding may cost: what is ordinary is a thousandth of its size
+  /// The share of the step that rounding may cost: what is ordinary passes this part of its size
   /// deep.
+  static constexpr double kThinnest = 0x1p-10;
   static double lost_share(const adapter::ccd::Query& query) {
     double size = 0;
     for (const ccdfuzz_patch* patch : query.raw.patches) {
@@ -36,7 +37,7 @@ struct Fcl {
         size = std::max(size, (Vector(patch->positions[i]) - Vector(patch->positions[0])).norm());
       }
     }
-    return adapter::lost_length(query) / (size / 1000);
+    return adapter::lost_length(query) / (size * kThinnest);
   }
 
   adapter::ccd::Answer answer(const adapter::ccd::Query& query) const {
