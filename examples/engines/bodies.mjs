@@ -65,8 +65,9 @@ export function capsule({ points: [p, q] }, axis) {
   return { half, turn: turn.map((x) => x / Math.hypot(...turn)) };
 }
 
-/// What the engine of an adapter says that it does, with a link: promise.json beside it.
-export const promiseOf = (adapter) => JSON.parse(readFileSync(new URL('promise.json', adapter)));
+/// What the engine of an adapter says that it does, with a link: promise.json beside it. What it
+/// says of starts in contact is in overlap.json.
+export const promiseOf = (adapter, file = 'promise.json') => JSON.parse(readFileSync(new URL(file, adapter)));
 
 /// Positions and ways of up to 2^far end within twice that. There a number of so many bits is rounded
 /// by 2^(far - bits) at most along an axis, and an engine rounds two positions and a way.
@@ -102,7 +103,7 @@ export async function serve(adapter, cast) {
     const reply = unknown !== undefined
       ? { refused: 'options', message: `unknown option ${unknown}; there are: ${known.join(' ')}` }
       : asked.ask === 'describe'
-      ? { protocol: 1, name, version, promise: turning ? spins : overlaps ? overlap : promise, accepts: [[hull, hull]],
+      ? { protocol: 1, name, version, promise: (turning ? spins : promise) + (overlaps ? `; ${overlap}` : ''), accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
           bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: true,

@@ -85,7 +85,7 @@ def install_npm(build, name, package, version, only_installed=False):
     if not only_installed:
         run(["npm", "install", "--prefix", folder, "--no-audit", "--no-fund", "--no-save",
              f"{package}@{version}"])
-    for part in [*(ADAPTERS / name).glob("*.mjs"), ADAPTERS / name / "promise.json"]:
+    for part in [*(ADAPTERS / name).glob("*.mjs"), *(ADAPTERS / name).glob("*.json")]:
         shutil.copy(part, adapter.parent)
     shutil.copy(ADAPTERS / "bodies.mjs", folder)
     # WebAssembly reserves much more address space than it uses.

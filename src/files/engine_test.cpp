@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_turning.hpp"
+#include "certify/oracle/body_depth.hpp"
 #include "files/engine_words.hpp"
 #include "numeric/exact_scalars.hpp"
 #include "numeric/products.hpp"
@@ -98,10 +100,33 @@ double depth_allowed(const Query& query, const EngineWords& engine) {
   return engine.number(engine.has(name) ? name : "depth");
 }
 
+/// How late an engine may be about bodies in contact at 0, as a part of the way. Answers are judged
+/// by the way or the depth, whichever is within the tolerance for longer (outcome_of).
+double allowed_from_start(const Query& query, const EngineWords& engine) {
+  const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
+  const double late = engine.number("late") * query.t_max;
+  const double tolerance = depth_allowed(query, engine) + late * velocity.norm();
+  // Between these times, of which the first is right and the second may be.
+  double right = has_turns(query) ? late : std::min(query.t_max, tolerance / velocity.norm());
+  const auto is_right = [&](double until) {
+    const std::optional<double> depth = depth_until(query, until, engine.has("plane"));
+    return depth && *depth <= tolerance;
+  };
+  double wrong = is_right(right) ? query.t_max : right;  // no later ones of a deep start
+  if (is_right(wrong)) right = wrong;
+  for (double t; t = std::midpoint(right, wrong), right < t && t < wrong;) {
+    (is_right(t) ? right : wrong) = t;
+  }
+  return right / step_of_bodies(query, engine);
+}
+
 /// How much later than the contact the engine may be, as a part of the way. That is its own
 /// tolerance in time, or the time in which bodies come as deep as its tolerance in space allows.
 /// The direction that keeps them apart until the contact tells how fast that is.
 double allowed_delay(const Case& value, const EngineWords& engine) {
+  if (is_of_bodies(value.query) && *value.truth.contact_by() == 0) {
+    return allowed_from_start(value.query, engine);
+  }
   const double depth = depth_allowed(value.query, engine);
   if (!(depth > 0)) return engine.number("late");
   const auto& patches = value.query.patches;
@@ -350,8 +375,10 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
     std::string proof = origin_text(value.origin, depth_allowed(value.query, engine));
-    if (!engine.has("still promise") || !has_turns(value.query)) {
-      proof = fmt::format("// Promised: {}\n{}", of_engine->promise, proof);
+    const bool starts_in_contact = touches && *contact == 0 && is_of_bodies(value.query);
+    const std::string_view promise = starts_in_contact ? of_engine->overlap : of_engine->promise;
+    if (!promise.empty() && (!engine.has("still promise") || !has_turns(value.query))) {
+      proof = fmt::format("// Promised: {}\n{}", promise, proof);
     }
     proof += fmt::format("// {}\n", proof_text(value, engine, step, touches));
     if (delay > 0)

@@ -37,6 +37,7 @@ struct EngineTemplate {
   std::string_view text;
   std::string_view mesh_text;  ///< find-mesh.cpp.in, a test about meshes alone, or empty
   std::string_view promise;    ///< promise.json: what the engine says that it does, and where
+  std::string_view overlap;    ///< overlap.json: what it says of bodies in contact at 0, or empty
 };
 /// As they were when this program was built.
 std::span<const EngineTemplate> engine_templates();

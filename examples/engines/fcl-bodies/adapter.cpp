@@ -27,7 +27,9 @@ struct FclBodies {
         ;
     if (overlap) {
       description.claims |= CCDFUZZ_INITIAL_OVERLAP | CCDFUZZ_CONTACT_AT_ZERO;
-      description.promise += "; where the start is in collision, the time of contact is 0";
+      description.promise += "; "
+#include "overlap.json"
+          ;
     }
     description.tolerance_kind = far ? CCDFUZZ_TOLERANCE_SPACE : CCDFUZZ_TOLERANCE_TIME_RELATIVE;
     description.tolerance = far ? 0x1p40 : kTimeError;  // far off each answer says its own

@@ -61,7 +61,7 @@ function cast(a, b, way) {
 }
 
 const promise = promiseOf(import.meta.url);
-const overlap = 'shapes that intersect at the beginning of a cast have the fraction 0: https://jrouwe.github.io/JoltPhysics/class_shape_cast_settings.html';
+const overlap = promiseOf(import.meta.url, 'overlap.json');
 const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
 const hello = { name: 'Jolt Physics', version, promise, overlap, tolerance, bodies: [ball, stick, solid],
                 sides: [1, 2], meshTolerance: tolerance + meshRounding, far: 12 };

@@ -65,7 +65,7 @@ function sweep(a, b, way) {
 
 // It states no tolerance: an overlap less deep than this is not held against it.
 const promise = promiseOf(import.meta.url);
-const overlap = 'a hit of shapes that overlap at zero distance has the distance 0: https://nvidia-omniverse.github.io/PhysX/physx/5.6.0/_api_build/structPxGeomSweepHit.html';
+const overlap = promiseOf(import.meta.url, 'overlap.json');
 const hello = { name: 'PhysX', version, promise, overlap, tolerance: 1e-4,
                 bodies: [ball, stick, solid], sides: [1, 2] };
 await serve(hello, (...query) => {

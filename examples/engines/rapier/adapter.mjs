@@ -42,7 +42,7 @@ const still = vector([0, 0, 0]);
 const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 // It states no tolerance. Versions before 0.20 stay within this one.
 const promise = promiseOf(import.meta.url);
-const overlap = 'a cast of shapes that touch already has the time of impact 0: https://docs.rs/parry3d/latest/parry3d/query/fn.cast_shapes.html';
+const overlap = promiseOf(import.meta.url, 'overlap.json');
 const bodies = [ball, { least_points: 2, most_points: 12 }];
 const hello = { name: 'Rapier', version: RAPIER.version(), promise, overlap, tolerance: 1e-4, bodies, sides: [2], far: 16 };
 await serve(hello, (a, b, way) => {

@@ -36,7 +36,7 @@ function shape({ points, radius, half }) {
 const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 const still = vector([0, 0]);
 const promise = promiseOf(import.meta.url);
-const overlap = 'a cast of shapes that touch already has the time of impact 0: https://docs.rs/parry2d/latest/parry2d/query/fn.cast_shapes.html';
+const overlap = promiseOf(import.meta.url, 'overlap.json');
 const bodies = [ball, { least_points: 2, most_points: 2, radius: 'zero' },
                 { least_points: 3, most_points: 12 }];
 const hello = { name: 'Rapier 2-D', version: RAPIER.version(), promise, overlap, tolerance: 1e-4, bodies,
