@@ -7,7 +7,6 @@
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/check_file.hpp"
-#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -24,30 +23,26 @@ Judged failed(const std::exception& error, std::string name) {
 Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ordinary) {
   const Outcome outcome = judge(known, answer);
   const Query& query = known.query();
-  double tolerance = answer.terms.depth_tolerance;
+  const double tolerance = answer.terms.depth_tolerance;
   if (!is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
   // A graze before a deep contact of a mesh is not ordinary, and hits of the deep one may be so
   // late. Nor is a touch at the start that has no depth.
   const bool starts_in_contact = *known.contact_by() == 0;
   const bool may_graze = is_ordinary && (has_mesh(query) || starts_in_contact);
   if (!(tolerance > 0) && !may_graze) return outcome;
-  const auto &first = query.patches[0].velocities[0], &second = query.patches[1].velocities[0];
-  if (may_graze) tolerance += answer.terms.time_tolerance * (first - second).norm();
+  const Rational speed = greatest_speed(query);
+  Rational most = exact(tolerance);
+  if (may_graze) most += exact(answer.terms.time_tolerance) * speed;
   // Moved back by so much, they would not touch: no overlap is deeper than the way, but one at the
   // start. A hit after that is late by no more than the way.
-  const Vec3<Rational> way = exact(first) - exact(second);
   const bool is_late = outcome == Outcome::kLate;
   const Rational overlooked =
       is_late ? exact(*answer.toi) - *known.contact_by() : exact(query.t_max);
-  const Rational most = exact(tolerance);
-  if (!has_turns(query) && (is_late || !starts_in_contact) &&
-      dot(way, way) * overlooked * overlooked <= most * most) {
-    return Outcome::kCorrect;
-  }
+  if ((is_late || !starts_in_contact) && speed * overlooked <= most) return Outcome::kCorrect;
   const std::optional<double> depth =
       depth_of(known, {answer, outcome, "", 0, 0, answer.terms.in_plane});
   if (!depth) return Outcome::kUnknown;
-  return *depth <= tolerance ? Outcome::kCorrect : outcome;
+  return *depth <= round_down(most) ? Outcome::kCorrect : outcome;
 }
 
 void decide_rows(NamedCase& named) {

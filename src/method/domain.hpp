@@ -31,7 +31,7 @@ struct Domain {
   /// Only cases of Setting::kOrdinary that are not shallow: apart at the start, with extent, in
   /// motion, and with a contact that a little motion does not avoid.
   bool ordinary = false;
-  /// Beside ordinary cases, those of bodies that touch or overlap at 0. It needs `ordinary`.
+  /// Beside ordinary cases, those of convex bodies that touch or overlap at 0. It needs `ordinary`.
   bool initial_overlap = false;
   /// Bodies lie and move in the plane z = 0.
   bool plane = false;

@@ -28,6 +28,7 @@ size_t most_bits(const Query& query) {
 }
 
 TEST(EngineFinds, AreRegularAndOfFewDigits) {
+  const std::vector<fs::path> overlapping{"fcl-bodies", "jolt", "physx", "rapier", "rapier2d"};
   for (const auto& engine : fs::directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
     std::vector<size_t> bits;
     double regular = 0;
@@ -39,7 +40,8 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
       Domain promised;
       promised.scale = is_of_bodies(found.query) ? 7 : 14;
       promised.binary32 = is_of_bodies(found.query);
-      promised.ordinary = promised.initial_overlap = true;
+      promised.ordinary = true;
+      promised.initial_overlap = std::ranges::count(overlapping, engine.path().filename()) > 0;
       promised.plane = engine.path().filename().string().ends_with("2d");
       const std::string broken = promised.broken_by(found);
       if (!broken.empty()) std::cout << file.path() << ": " << broken << "\n";

@@ -136,9 +136,9 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
 
 /// The deepest of some times.
 std::optional<double> depth_of_turning(const Query& query, double until, bool in_plane) {
-  constexpr int kTimes = 8;
+  constexpr int kTimes = 8;  // after the first
   double deepest = 0;
-  for (int i = 1; i <= kTimes; ++i) {
+  for (int i = 0; i <= kTimes; ++i) {
     const auto depth = depth_at(query, exact(until) * i / kTimes, in_plane);
     if (!depth) return std::nullopt;
     deepest = std::max(deepest, kRoundings * *depth);
@@ -146,7 +146,38 @@ std::optional<double> depth_of_turning(const Query& query, double until, bool in
   return deepest;
 }
 
+/// At most so many radians a body turns in a unit of time.
+Rational greatest_turn(const BodyTurn& turn) {
+  const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
+    Rational sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += exact(a[i]) * exact(b[i]);
+    return sum;
+  };
+  if (turn.is_spin()) return root_above(product(turn.spin, turn.spin));
+  // In its plane q turns by |from × to| / |q|² in a unit of time, half as much as the body if it is
+  // a quaternion. |q|² is a mean of the three products (Bernstein).
+  const Rational first = product(turn.from, turn.from), mixed = product(turn.from, turn.to),
+                 last = product(turn.to, turn.to);
+  return (turn.is_quaternion() ? 2 : 1) * root_above(first * last - mixed * mixed) /
+         std::min({first, mixed, last});
+}
+
 }  // namespace
+
+Rational greatest_speed(const Query& query) {
+  const auto length = [](const Vec3<Rational>& v) { return root_above(dot(v, v)); };
+  const auto& [a, b] = query.patches;
+  Rational speed = length(exact(a.velocities[0]) - exact(b.velocities[0]));
+  for (const MovingPatch<double>& body : query.patches) {
+    if (!body.turn) continue;
+    Rational reach = 0;
+    for (const Vec3<double>& p : body.positions) {
+      reach = std::max(reach, length(exact(p) - exact(body.turn->centre)));
+    }
+    speed += reach * greatest_turn(*body.turn);
+  }
+  return speed;
+}
 
 std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
   if (has_turns(query)) return depth_of_turning(query, until, in_plane);

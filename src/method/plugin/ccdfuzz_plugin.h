@@ -145,8 +145,8 @@ enum {
   /* And it answers a convex body against a mesh: */
   CCDFUZZ_TAKES_MESHES = 16384,    /* whose faces have two sides */
   CCDFUZZ_TAKES_ONE_SIDED = 32768, /* whose faces have fronts alone */
-  /* With CCDFUZZ_ORDINARY and CCDFUZZ_CONTACT_AT_ZERO: beside these queries, bodies that touch or
-   * overlap at t = 0. It promises a hit there, whatever way they move: */
+  /* With CCDFUZZ_ORDINARY and CCDFUZZ_CONTACT_AT_ZERO: beside these queries, convex bodies that
+   * touch or overlap at t = 0. It promises a hit there, whatever way they move: */
   CCDFUZZ_INITIAL_OVERLAP = 65536
 };
 

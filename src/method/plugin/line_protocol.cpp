@@ -46,7 +46,7 @@ tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& n
   return tl::unexpected(Fault{name, note});
 }
 
-/// Refused: a claim about bodies of one that takes none, which would claim nothing.
+/// Refused: a claim without another that it needs, which would claim nothing.
 tl::expected<void, Fault> check_claims(const PluginDescription& d) {
   const auto refusal = [](std::string_view field, std::string_view needs = "takes_bodies") {
     return answer_fault(kRefusal, fmt::format("claims {} without {}", field, needs));
@@ -54,13 +54,14 @@ tl::expected<void, Fault> check_claims(const PluginDescription& d) {
   if (d.domain.initial_overlap && !d.contact_at_zero) {
     return refusal("initial_overlap", "contact_at_zero");
   }
+  if (d.domain.initial_overlap && !d.domain.ordinary) return refusal("initial_overlap", "ordinary");
+  if (d.domain.small_spins && !d.features.spins) return refusal("small_spins", "takes_spins");
   if (d.features.bodies) return {};
   if (d.domain.initial_overlap) return refusal("initial_overlap");
   for (const FeatureClaim& claim : kFeatureClaims) {
     if (!(kPatchFeatures.*claim.feature) && d.features.*claim.feature) return refusal(claim.field);
   }
   if (d.domain.plane) return refusal("plane");
-  if (d.domain.small_spins) return refusal("small_spins");
   if (!d.domain.body_kinds.empty()) return refusal("bodies");
   return {};
 }
