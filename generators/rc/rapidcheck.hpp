@@ -78,8 +78,8 @@ template <>
 struct Arbitrary<ccdfuzz::Query> {
   static Gen<ccdfuzz::Query> arbitrary();
 };
-/// A third of them come at times that no float is, which shows what code rounds. Half of the patches
-/// touch at any place.
+/// A third of them come at times that no float is, which shows what code rounds. Half of the
+/// patches touch at any place.
 template <>
 struct Arbitrary<ccdfuzz::Contact> {
   static Gen<ccdfuzz::Contact> arbitrary() { return ccdfuzz::gen::contact({.off_grid = true}); }

@@ -17,8 +17,8 @@ namespace ccdfuzz {
 /// bodies then are. Requires a valid query of bodies and a finite until ≥ 0.
 std::optional<double> depth_until(const Query& query, double until, bool in_plane = false);
 
-/// At most so far the points of one body move against those of the other in each unit of time, and
-/// little more than that where no body turns from one rotation to another. Requires what
+/// An upper bound of how fast a point of one body moves against those of the other. It is little
+/// more than the least one where no body turns from one rotation to another. Requires what
 /// depth_until does.
 Rational greatest_speed(const Query& query);
 
