@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/verify.hpp"
 #include "bezier/bernstein.hpp"
 #include "ccd/nearest_points.hpp"
 #include "certify/checker/check_linear.hpp"
@@ -15,7 +14,7 @@ namespace {
 
 /// Narrows the contact's time until its polynomial proves the contact to the checker. It does in
 /// the end: what is not 0 at the root has a sign by its Bernstein coefficients on a short interval.
-/// Nothing if the time turns out to be rational.
+/// Nothing if the time turns out to be rational, or the numbers get too long before that.
 std::optional<ContactRoot> provable_root(const Query& query, linear::RealRoot& time) {
   constexpr int kMostRounds = 64;
   for (int round = 0; round < kMostRounds && !time.is_rational(); ++round) {
@@ -23,7 +22,6 @@ std::optional<ContactRoot> provable_root(const Query& query, linear::RealRoot& t
     if (check_contact_root(query, root)) return root;
     time.narrow((time.hi() - time.lo()) * power_of_two(-64));
   }
-  CCDFUZZ_VERIFY(time.is_rational());
   return std::nullopt;
 }
 
@@ -59,6 +57,7 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
   } else {
     linear::RealRoot& time = *contact;
     time.narrow(until * power_of_two(-64));
+    if (t_max > 0 && time.lo() < t_max) time.narrow(t_max * power_of_two(-64));
     // So that t_max is no longer in the enclosure.
     time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));
     const auto at_end = [&] { return Witness{time.hi(), nearest_at(patches, time.hi())}; };
