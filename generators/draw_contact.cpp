@@ -16,8 +16,8 @@ namespace ccdfuzz {
 namespace {
 
 constexpr int kContactUvBits = 2;
-/// So many bits the parameters off the grid add to a control point: fewer than their time does.
-constexpr int kOffGridBits = 24;
+/// A control point has so many bits at a contact whose parameters are off the grid.
+constexpr int kOffGridBits = 32;
 constexpr int kTwinUlps = 2;
 
 /// For each control point, whether its Bernstein weight at the contact is not 0.
@@ -39,7 +39,8 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   // Each degree takes the bits of the parameters once more.
   const int degrees = std::max(1, side.shape.n + side.shape.m);
   const bool off_grid = range.off_grid && choices.coin();
-  const int bits = off_grid ? std::max(kContactUvBits, kOffGridBits / degrees) : kContactUvBits;
+  const int left = (kOffGridBits - range.coordinate_bits) / degrees;
+  const int bits = off_grid ? std::max(kContactUvBits, left) : kContactUvBits;
   side.at = draw_uv(choices, side.shape, bits, !off_grid);
   side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
   side.rates = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);

@@ -18,8 +18,9 @@ struct ContactRange {
   int max_degree = 3;
   int coordinate_bits = 5;  ///< for the place of a control point, from the contact; 0 to 40
   /// Without, parameters are quarters, and times are 0, 1/2, 3/4 or 1. True: half of the patches
-  /// touch at any parameters, up to 2^-24 where these are of degree 1, and coarser of higher ones.
-  /// Half of the contacts come up to 7·2^-43 before or after.
+  /// touch at any parameters. These are multiples of 2^-27 on linear patches, and of more where
+  /// degrees are higher or coordinates have many bits. Half of the contacts come up to 7·2^-43
+  /// before or after.
   bool off_grid = false;
   /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).
   bool elsewhere = false;

@@ -107,8 +107,8 @@ Attempted bodies_before_one(const GeneratorOptions& options, Draw& draw, const C
 }  // namespace
 
 void spin_back(MovingPatch<double>& body, double t, bool in_plane, bool is_small, Draw& draw) {
-  constexpr double kSmall = std::numbers::pi / 4;
-  const Vec3<double> axis = draw_axis(in_plane, is_small ? kSmall * kSmall : 1, draw);
+  constexpr double kEighthTurn = std::numbers::pi / 4;
+  const Vec3<double> axis = draw_axis(in_plane, is_small ? kEighthTurn * kEighthTurn : 1, draw);
   constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0};
   const Vec3<double> w = kSpeeds.at(draw.below(is_small ? 3 : kSpeeds.size())) * axis;
   MovingPatch<double> back = body;
