@@ -216,23 +216,22 @@ void Child::kill() {
   printed_bytes_ = 0;
 }
 
-tl::expected<std::string, Fault> Child::ask(const std::string& line) {
+tl::expected<std::string, Fault> Child::ask(const std::string& line, double least_seconds) {
   if (!runs()) start();
-  const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(program_.limits.seconds));
   if (has_answered_) {
     read_printed();
     printed_text_.clear();
     printed_bytes_ = 0;
   }
-  auto reply = await_reply(line + "\n", until);
+  auto reply = await_reply(line + "\n", std::max(program_.limits.seconds, least_seconds));
   has_answered_ = reply.has_value();
   return reply;
 }
 
-tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
-                                                    Clock::time_point until) {
+tl::expected<std::string, Fault> Child::await_reply(const std::string& question, double seconds) {
   const Clock::time_point begin = Clock::now();
+  const auto until =
+      begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   for (size_t sent = 0;;) {
     if (sent < question.size()) {
       const ssize_t n =
@@ -243,8 +242,8 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
     if (left <= 0) {
-      return stopped("hang", fmt::format("no answer within {} s", program_.limits.seconds) +
-                                 last_words(printed_text_));
+      return stopped("hang",
+                     fmt::format("no answer within {} s", seconds) + last_words(printed_text_));
     }
     const std::chrono::duration<double> taken = Clock::now() - begin;
     if (program_.interrupted != nullptr && *program_.interrupted &&

@@ -69,8 +69,8 @@ class Child {
   /// asked, and anew after a fault. A line that it wrote before it was asked is taken as that one:
   /// what it says will not fit. If this process ignores SIGCHLD, it does so no more. Errors: throws
   /// std::system_error where the system refuses a process, InputError's text where the program
-  /// that starts children is not there.
-  tl::expected<std::string, Fault> ask(const std::string& line);
+  /// that starts children is not there. least_seconds: it has so long at least, whatever its limit.
+  tl::expected<std::string, Fault> ask(const std::string& line, double least_seconds = 0);
   /// Ends it, at once and for sure.
   void kill();
 
@@ -78,8 +78,7 @@ class Child {
   using Clock = std::chrono::steady_clock;
 
   void start();
-  tl::expected<std::string, Fault> await_reply(const std::string& question,
-                                               Clock::time_point until);
+  tl::expected<std::string, Fault> await_reply(const std::string& question, double seconds);
   bool is_dead() const;
   tl::unexpected<Fault> ended();
   pid_t await_end(Clock::duration most, int* status, rusage* used) const;

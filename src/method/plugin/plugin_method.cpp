@@ -54,7 +54,8 @@ std::string when_described(const Fault& fault) {
 
 /// What a plug-in says of itself, or does in place of that.
 tl::expected<PluginDescription, Fault> described_by(Child& worker, const PluginSpec& spec) {
-  return worker.ask(describe_request(spec.options)).and_then(read_description);
+  constexpr double kSecondsToStart = 10;  // on a busy machine; what hangs there ends the command
+  return worker.ask(describe_request(spec.options), kSecondsToStart).and_then(read_description);
 }
 
 class PluginMethod : public Method {
