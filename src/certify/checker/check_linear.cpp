@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <utility>
 
 #include "certify/checker/abbreviated.hpp"
@@ -14,8 +15,7 @@ namespace {
 /// What the header speaks of, each multiplied out when it is asked for.
 class Products {
  public:
-  Products(const Triangle& triangle, Work& work, size_t from = 0, size_t to = 2)
-      : work_(work), p_(points_of(triangle, from, to)) {
+  Products(const Triangle& triangle, Work& work) : work_(work), p_(points_of(triangle)) {
     for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work);
   }
 
@@ -31,88 +31,72 @@ class Products {
   std::array<FormVector, 3> p_, n_;
 };
 
-/// The signs of all of them at an end.
-struct Signs {
-  Signs(const Triangle& triangle, size_t end, Work& work) {
-    const Products at_end(triangle, work, end, end + 1);
-    const auto sign = [](const Form& f) { return sgn(f.front()); };
-    d3 = sign(at_end.d3());
-    m = sign(at_end.m());
-    for (size_t i = 0; i < 3; ++i) {
-      s[i] = sign(at_end.s(i));
-      d[i] = sign(at_end.d(i));
-    }
-  }
-
-  int d3, m;
-  std::array<int, 3> s, d;
-};
-
-/// Whether they touch.
+/// Whether they touch. Its forms: D, m, the s_i and the d_i.
 struct TouchTest {
-  using AtEnd = Signs;
   Work& work;
 
-  AtEnd at_end(const Triangle& triangle, size_t end, int) const { return {triangle, end, work}; }
+  std::vector<Form> forms_of(const Triangle& triangle) const {
+    const Products of(triangle, work);
+    std::vector<Form> out = {of.d3(), of.m()};
+    for (size_t i = 0; i < 3; ++i) out.push_back(of.s(i));
+    for (size_t i = 0; i < 3; ++i) out.push_back(of.d(i));
+    return out;
+  }
+
+  static std::span<const Form> s(const std::vector<Form>& of) {
+    return std::span(of).subspan(2, 3);
+  }
+  static std::span<const Form> d(const std::vector<Form>& of) {
+    return std::span(of).subspan(5, 3);
+  }
 
   /// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
-  /// start, end: at x = 1, y = 0 and x = 0, y = 1. What has the wrong sign there is not asked for
-  /// between: it may have thousands of bits.
-  bool is_outside(const Triangle& triangle, const AtEnd& start, const AtEnd& end, bool closed,
-                  int) const {
-    const Products of(triangle, work);
-    const auto may_be = [](int at_start, int at_end, int sign) {
-      return at_start != -sign && at_end != -sign;
-    };
-    for (const int sign : {1, -1}) {
-      if (may_be(start.d3, end.d3, sign) && is_strictly(of.d3(), sign, closed)) return true;
-    }
-    const auto all_d = [&](const auto& holds) { return holds(0) && holds(1) && holds(2); };
-    if (all_d([&](size_t i) { return may_be(start.d[i], end.d[i], 1); }) &&
-        all_d([&](size_t i) { return is_strictly(of.d(i), 1, closed); })) {
-      return true;
-    }
-    for (size_t i = 0; i < 3; ++i) {
-      if (may_be(start.s[i], end.s[i], -1) && is_strictly(of.s(i), -1, closed)) return true;
-    }
-    return false;
+  static bool is_outside(const std::vector<Form>& of, bool closed) {
+    return is_strictly(of[0], 1, closed) || is_strictly(of[0], -1, closed) ||
+           std::ranges::all_of(d(of), [&](const Form& f) { return is_strictly(f, 1, closed); }) ||
+           std::ranges::any_of(s(of), [&](const Form& f) { return is_strictly(f, -1, closed); });
   }
 
   /// The origin is in the triangle at this end.
-  bool is_contact(const AtEnd& at_end) const {
-    return at_end.d3 == 0 && std::ranges::all_of(at_end.s, [](int s) { return s >= 0; }) &&
-           (at_end.m > 0 || std::ranges::any_of(at_end.d, [](int d) { return d <= 0; }));
+  static bool is_contact(const std::vector<Form>& of, End end) {
+    const auto sign = [end](const Form& f) { return sign_at(end, f); };
+    return sign(of[0]) == 0 &&
+           std::ranges::all_of(s(of), [&](const Form& f) { return sign(f) >= 0; }) &&
+           (sign(of[1]) > 0 ||
+            std::ranges::any_of(d(of), [&](const Form& f) { return sign(f) <= 0; }));
   }
 };
 
-/// Whether they come as near as a distance > 0.
+/// Whether they come as near as a distance > 0. Its forms: LinearDirections::kForms of each
+/// direction, one after another.
 struct DistanceTest {
-  using AtEnd = unsigned;  ///< a bit for each direction that shows that they are farther apart
   const Integer& distance;
   Work& work;
 
-  Integer distance_after(int halvings) const { return distance << halvings; }
-
-  AtEnd at_end(const Triangle& triangle, size_t end, int halvings) const {
-    const LinearDirections of(triangle, {distance_after(halvings)}, work, end, end + 1);
-    AtEnd shown = 0;
-    for (int i = 0; i < LinearDirections::kCount; ++i) shown |= of.show_farther(i) ? 1U << i : 0;
-    return shown;
+  std::vector<Form> forms_of(const Triangle& triangle) const {
+    const LinearDirections of(triangle, Form(2, distance), work);
+    std::vector<Form> out;
+    for (int i = 0; i < LinearDirections::kCount; ++i) of.add_forms(i, out);
+    return out;
   }
 
-  /// Farther away where x > 0, y ≥ 0. At x = 0 the next piece begins, or all end (decide_by).
-  bool is_outside(const Triangle& triangle, AtEnd start, AtEnd end, bool closed,
-                  int halvings) const {
-    const AtEnd may_be = closed ? start & end : start;
-    if (may_be == 0) return false;
-    const LinearDirections of(triangle, Form(2, distance_after(halvings)), work);
-    for (int i = 0; i < LinearDirections::kCount; ++i) {
-      if ((may_be >> i & 1U) != 0 && of.show_farther(i)) return true;
+  template <class IsPositive>
+  static bool is_shown(const std::vector<Form>& of, const IsPositive& is_positive) {
+    for (size_t i = 0; i < of.size(); i += LinearDirections::kForms) {
+      const auto forms = std::span(of).subspan(i, LinearDirections::kForms);
+      if (std::ranges::all_of(forms, is_positive)) return true;
     }
     return false;
   }
 
-  bool is_contact(AtEnd at_end) const { return at_end == 0; }
+  /// Farther away where x > 0, y ≥ 0, and at x = 0 too if `closed`, along one direction.
+  static bool is_outside(const std::vector<Form>& of, bool closed) {
+    return is_shown(of, [closed](const Form& f) { return is_strictly(f, 1, closed); });
+  }
+
+  static bool is_contact(const std::vector<Form>& of, End end) {
+    return !is_shown(of, [end](const Form& f) { return sign_at(end, f) > 0; });
+  }
 };
 
 /// Where the corners of the triangles come from: pairs of control points.
@@ -171,35 +155,25 @@ enum class Found { kOutside, kInside, kUndecided };
 
 /// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All pieces
 /// of one length before any shorter, so that a contact between two is found before one of them is
-/// halved towards it without end. Test: what is known at an end, and the decision by that. All
-/// numbers of a piece are those of the first times 2^halvings.
+/// halved towards it without end. Test: the forms of a triangle, and the decision by those.
 template <class Test>
-Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, const Test& test) {
+Found decide_outside(std::vector<Form> forms, bool closed, int most_halvings, const Test& test) {
   struct Piece {
-    Triangle triangle;
+    std::vector<Form> forms;
     bool closed;
-    typename Test::AtEnd start, end;
   };
   std::vector<Piece> pieces, shorter;
-  pieces.push_back({triangle, closed, test.at_end(triangle, 0, 0), test.at_end(triangle, 1, 0)});
+  pieces.push_back({std::move(forms), closed});
   for (int halvings = 0; !pieces.empty(); ++halvings) {
-    for (const Piece& piece : pieces) {
-      if (test.is_outside(piece.triangle, piece.start, piece.end, piece.closed, halvings)) continue;
-      if (test.is_contact(piece.start)) return Found::kInside;
+    for (Piece& piece : pieces) {
+      if (test.is_outside(piece.forms, piece.closed)) continue;
+      if (test.is_contact(piece.forms, End::kStart)) return Found::kInside;
       if (halvings == most_halvings) return Found::kUndecided;
-      Piece first{{}, true, piece.start, piece.end},
-          second{{}, piece.closed, piece.start, piece.end};
-      for (size_t i = 0; i < 3; ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-          const auto& [start, end] = piece.triangle[i][k];
-          const Integer middle = start + end;  // all doubled
-          first.triangle[i][k] = {Integer(2 * start), middle};
-          second.triangle[i][k] = {middle, Integer(2 * end)};
-        }
-      }
-      first.end = second.start = test.at_end(second.triangle, 0, halvings + 1);
+      Piece first{piece.forms, true};
+      for (Form& f : first.forms) f = half_of(std::move(f), End::kStart, test.work);
+      for (Form& f : piece.forms) f = half_of(std::move(f), End::kStop, test.work);
       shorter.push_back(std::move(first));
-      shorter.push_back(std::move(second));
+      shorter.push_back(std::move(piece));
     }
     pieces = std::exchange(shorter, {});
   }
@@ -273,13 +247,15 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
   Integer distance;
   const std::vector<Triangle> triangles = triangles_between(query, ends, distance);
   const auto decide_by = [&](const auto& test) -> Result<void> {
+    std::vector<std::vector<Form>> forms;
     for (const Triangle& triangle : triangles) {
+      forms.push_back(test.forms_of(triangle));
       // Halving would come near this contact without end.
-      if (!clearance.closed || !test.is_contact(test.at_end(triangle, 1, 0))) continue;
+      if (!clearance.closed || !test.is_contact(forms.back(), End::kStop)) continue;
       return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
     }
-    for (const Triangle& triangle : triangles) {
-      const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, test);
+    for (std::vector<Form>& of : forms) {
+      const Found found = decide_outside(std::move(of), clearance.closed, kMostHalvings, test);
       if (found == Found::kOutside) continue;
       const bool is_inside = found == Found::kInside;
       return tl::unexpected(InputError{

@@ -16,21 +16,23 @@ class LinearDirections {
  public:
   static constexpr int kCount = 7;
 
-  /// distance: d as a form. From 0 to 1 or 1 to 2: at an end, as points_of.
-  LinearDirections(const Triangle& triangle, const Form& distance, Work& work, size_t from = 0,
-                   size_t to = 2)
-      : p_(points_of(triangle, from, to)),
-        squared_(product(distance, distance, work)),
-        work_(work) {}
+  /// Forms of a direction, all > 0 where it shows the triangle farther away.
+  static constexpr size_t kForms = 6;
 
-  /// True iff that direction shows it where x > 0, y ≥ 0, or at that end: all coefficients have the
-  /// right signs.
-  bool show_farther(int direction) const {
-    if (direction < 3) return shows(p_[static_cast<size_t>(direction)]);
-    if (direction < 6) return shows(point_of(weights_of(direction)));
-    const FormVector n = normal();
-    const Form zero(n[0].size());
-    return shows(n) || shows({zero - n[0], zero - n[1], zero - n[2]});
+  /// distance: d as a form.
+  LinearDirections(const Triangle& triangle, const Form& distance, Work& work)
+      : p_(points_of(triangle)), squared_(product(distance, distance, work)), work_(work) {}
+
+  /// Appends kForms for a direction. For the ways to the plane, there are those to either side.
+  void add_forms(int direction, std::vector<Form>& out) const {
+    if (direction < 3) return add_forms_along(p_[static_cast<size_t>(direction)], out);
+    if (direction < 6) return add_forms_along(point_of(weights_of(direction)), out);
+    add_forms_along(normal(), out);
+    for (size_t i = 0; i < 3; ++i) {
+      const Form& height = out[out.size() - kForms];
+      out.push_back(Form(height.size()) - height);
+    }
+    for (size_t i = 0; i < 3; ++i) out.push_back(out[out.size() - kForms]);
   }
 
   /// What makes one of the points one of the triangle, no farther from the origin than d: all
@@ -83,16 +85,14 @@ class LinearDirections {
     return out;
   }
 
-  bool shows(const FormVector& n) const {
-    std::array<Form, 3> heights;
-    for (size_t i = 0; i < 3; ++i) {
-      heights[i] = dot_of(n, p_[i], work_);
-      if (!is_strictly(heights[i], 1, false)) return false;
-    }
+  /// The heights of the corners along n, and their squares less d²·|n|².
+  void add_forms_along(const FormVector& n, std::vector<Form>& out) const {
     const Form least = product(squared_, dot_of(n, n, work_), work_);
-    return std::ranges::all_of(heights, [&](const Form& h) {
-      return is_strictly(product(h, h, work_) - least, 1, false);
-    });
+    for (size_t i = 0; i < 3; ++i) out.push_back(dot_of(n, p_[i], work_));
+    for (size_t i = 0; i < 3; ++i) {
+      const Form& height = out[out.size() - 3];
+      out.push_back(product(height, height, work_) - least);
+    }
   }
 
   std::array<FormVector, 3> p_;

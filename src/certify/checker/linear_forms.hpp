@@ -48,16 +48,36 @@ inline FormVector cross_of(const FormVector& a, const FormVector& b, Work& work)
 using Corner = std::array<std::array<Integer, 2>, 3>;
 using Triangle = std::array<Corner, 3>;
 
-/// Its corners in forms of x and y. From 0 to 1 they are those at x = 1, y = 0; from 1 to 2 those
-/// at x = 0, y = 1. Both are forms without variables.
-inline std::array<FormVector, 3> points_of(const Triangle& triangle, size_t from, size_t to) {
+/// Its corners in forms of x and y.
+inline std::array<FormVector, 3> points_of(const Triangle& triangle) {
   std::array<FormVector, 3> out;
   for (size_t i = 0; i < 3; ++i) {
-    for (size_t k = 0; k < 3; ++k) {
-      out[i][k].assign(triangle[i][k].begin() + from, triangle[i][k].begin() + to);
-    }
+    for (size_t k = 0; k < 3; ++k) out[i][k].assign(triangle[i][k].begin(), triangle[i][k].end());
   }
   return out;
+}
+
+/// An end of the range x, y ≥ 0: y = 0 or x = 0.
+enum class End : std::uint8_t { kStart, kStop };
+
+inline int sign_at(End end, const Form& f) {
+  return sgn(end == End::kStart ? f.front() : f.back());
+}
+
+/// A form that has on its range the signs of f on the half of f's that begins or ends at `end`:
+/// f(2x + y, y) or f(x, x + 2y).
+inline Form half_of(Form f, End end, Work& work) {
+  if (end == End::kStart) std::ranges::reverse(f);
+  // f is Σ f_k·z^k now, z = x/y or y/x. By Horner's rule this is f(z + 1), and then f(2z + 1).
+  for (size_t i = 0; i + 1 < f.size(); ++i) {
+    for (size_t k = f.size() - 1; k-- > i;) {
+      work.charge(product_work(f[k + 1], 1.0));
+      f[k] += f[k + 1];
+    }
+  }
+  for (size_t k = 1; k < f.size(); ++k) f[k] <<= k;
+  if (end == End::kStart) std::ranges::reverse(f);
+  return f;
 }
 
 inline bool has_no_sign(const Form& f, int sign) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/time_limit.hpp"
 #include "base/verify.hpp"
 
 namespace ccdfuzz::linear {
@@ -53,6 +54,7 @@ Polynomial& Polynomial::combine(const Polynomial& o, decltype(mpz_add)* sum) {
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.is_zero() || b.is_zero()) return {};
+  TimeLimit::stop_if_late();
   std::vector<Integer> product(a.coefficients_.size() + b.coefficients_.size() - 1);
   for (size_t i = 0; i < a.coefficients_.size(); ++i) {
     for (size_t j = 0; j < b.coefficients_.size(); ++j) {
@@ -62,11 +64,50 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   return Polynomial(std::move(product));
 }
 
+PolynomialPart::PolynomialPart(const Polynomial& p, const Rational& lo, const Rational& hi) {
+  // With lo = a/d, hi = b/d it is Σ p_k·(a + b·z)^k·(d + d·z)^(n − k), by Horner's rule.
+  const Integer d = lcm(lo.get_den(), hi.get_den());
+  const Polynomial ends(
+      {Integer(d / lo.get_den() * lo.get_num()), Integer(d / hi.get_den() * hi.get_num())});
+  const Polynomial whole({d, d});
+  Polynomial sum, power({Integer(1)});
+  for (int k = p.degree(); k >= 0; --k) {
+    sum = sum * ends + Polynomial({p[k]}) * power;
+    power = power * whole;
+  }
+  coefficients_ = sum.primitive().coefficients();
+  coefficients_.resize(static_cast<size_t>(p.degree()) + 1);
+}
+
+int PolynomialPart::changes() const {
+  int changes = 0, last = 0;
+  for (const Integer& c : coefficients_) {
+    if (last * sgn(c) < 0) ++changes;
+    if (c != 0) last = sgn(c);
+  }
+  return changes;
+}
+
+PolynomialPart PolynomialPart::half(bool upper) const {
+  TimeLimit::stop_if_late();
+  // Σ c_k·x^(n − k)·y^k is on the lower half that of 2x + y and y, on the upper that of x, x + 2y.
+  PolynomialPart out = *this;
+  std::vector<Integer>& c = out.coefficients_;
+  if (!upper) std::ranges::reverse(c);
+  for (size_t from = 1; from < c.size(); ++from) {
+    for (size_t k = c.size() - 1; k >= from; --k) c[k - 1] += c[k];
+  }
+  for (size_t k = 0; k < c.size(); ++k) c[k] <<= k;
+  if (!upper) std::ranges::reverse(c);
+  return out;
+}
+
 namespace {
 
 /// |c|·a − sign(c)·(leading coefficient of a)·x^shift·b, c that of b: one step of a division,
 /// which takes the leading term away.
 Polynomial reduced(const Polynomial& a, const Polynomial& b) {
+  TimeLimit::stop_if_late();
   std::vector<Integer> r = a.coefficients();
   const Integer scale = abs(b.leading());
   const Integer factor = sgn(b.leading()) * a.leading();

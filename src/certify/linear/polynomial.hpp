@@ -44,6 +44,29 @@ class Polynomial {
   std::vector<Integer> coefficients_;
 };
 
+/// The signs of a polynomial on an interval: its Bernstein coefficients there, each times its
+/// binomial coefficient and all times one positive number.
+class PolynomialPart {
+ public:
+  PolynomialPart() = default;
+  /// On [lo, hi]. Requires p ≠ 0, lo < hi.
+  PolynomialPart(const Polynomial& p, const Rational& lo, const Rational& hi);
+
+  int sign_at_lo() const { return sgn(coefficients_.front()); }
+  int sign_at_hi() const { return sgn(coefficients_.back()); }
+  /// Changes of sign: as many as roots in the open interval, each as often as it is one, or an even
+  /// number more.
+  int changes() const;
+  /// True iff it has no root in the closed interval by its changes.
+  bool has_one_sign() const { return sign_at_lo() * sign_at_hi() > 0 && changes() == 0; }
+
+  /// The same on the lower or the upper half of the interval.
+  PolynomialPart half(bool upper) const;
+
+ private:
+  std::vector<Integer> coefficients_;
+};
+
 /// A positive multiple of the remainder of a by b, primitive. Requires b ≠ 0.
 Polynomial remainder(Polynomial a, const Polynomial& b);
 

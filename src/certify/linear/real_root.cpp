@@ -8,38 +8,6 @@ namespace ccdfuzz::linear {
 
 namespace {
 
-/// Sturm's sequence of p ≠ 0: counts the distinct real roots of p.
-class SturmSequence {
- public:
-  explicit SturmSequence(const Polynomial& p) : sequence_{p.primitive()} {
-    for (Polynomial next = p.derivative().primitive(); !next.is_zero();) {
-      sequence_.push_back(std::move(next));
-      const size_t n = sequence_.size();
-      next = Polynomial() - remainder(sequence_[n - 2], sequence_[n - 1]);
-    }
-  }
-
-  /// Sign changes at x, zeros left out.
-  int changes_at(const Rational& x) const {
-    int changes = 0, last = 0;
-    for (const Polynomial& p : sequence_) {
-      const int sign = p.sign_at(x);
-      if (sign == 0) continue;
-      if (last == -sign) ++changes;
-      last = sign;
-    }
-    return changes;
-  }
-
-  /// Distinct roots in the half-open (lo, hi].
-  int roots_in(const Rational& lo, const Rational& hi) const {
-    return changes_at(lo) - changes_at(hi);
-  }
-
- private:
-  std::vector<Polynomial> sequence_;
-};
-
 Rational middle_of(const Rational& lo, const Rational& hi) {
   return (lo + hi) / 2;
 }
@@ -51,27 +19,29 @@ Rational linear_root(const Polynomial& p) {
   return root;
 }
 
-/// p squarefree, no root at the ends.
-void isolate(const Polynomial& p, const SturmSequence& sturm, const Rational& lo,
+/// Those in the open (lo, hi), in their order. p squarefree, `part` on [lo, hi]. By Descartes' rule
+/// of signs there is none without a change of signs, and one with one change. Short intervals have
+/// no more, as p is squarefree.
+void isolate(const Polynomial& p, const PolynomialPart& part, const Rational& lo,
              const Rational& hi, std::vector<RealRoot>& out) {
-  const int count = sturm.roots_in(lo, hi);
-  if (count == 0) return;
-  if (count == 1) {
-    out.push_back(p.degree() == 1 ? RealRoot(linear_root(p)) : RealRoot(p, lo, hi));
-    return;
+  const int changes = part.changes();
+  if (changes == 0) return;
+  if (changes == 1 && p.degree() == 1) return out.push_back(RealRoot(linear_root(p)));
+  if (changes == 1 && part.sign_at_lo() * part.sign_at_hi() < 0) {
+    return out.push_back(RealRoot(p, part, lo, hi));
   }
-  // One of any degree + 1 points is no root.
-  Rational middle = middle_of(lo, hi);
-  while (p.sign_at(middle) == 0) middle = middle_of(lo, middle);
-  isolate(p, sturm, lo, middle, out);
-  isolate(p, sturm, middle, hi, out);
+  const Rational middle = middle_of(lo, hi);
+  const PolynomialPart upper = part.half(true);
+  isolate(p, part.half(false), lo, middle, out);
+  if (upper.sign_at_lo() == 0) out.emplace_back(middle);
+  isolate(p, upper, middle, hi, out);
 }
 
 }  // namespace
 
-RealRoot::RealRoot(Polynomial p, Rational lo, Rational hi)
-    : p_(std::move(p)), lo_(std::move(lo)), hi_(std::move(hi)), sign_at_lo_(p_.sign_at(lo_)) {
-  CCDFUZZ_ASSERT(sign_at_lo_ * p_.sign_at(hi_) < 0);
+RealRoot::RealRoot(Polynomial p, PolynomialPart part, Rational lo, Rational hi)
+    : p_(std::move(p)), part_(std::move(part)), lo_(std::move(lo)), hi_(std::move(hi)) {
+  CCDFUZZ_ASSERT(part_.sign_at_lo() * part_.sign_at_hi() < 0);
 }
 
 Polynomial RealRoot::polynomial() const {
@@ -81,11 +51,15 @@ Polynomial RealRoot::polynomial() const {
 void RealRoot::refine() {
   if (is_rational()) return;
   Rational middle = middle_of(lo_, hi_);
-  const int sign = p_.sign_at(middle);
-  if (sign == 0) {
+  PolynomialPart upper = part_.half(true);
+  if (upper.sign_at_lo() == 0) {
     lo_ = hi_ = std::move(middle);
+  } else if (upper.sign_at_lo() == part_.sign_at_lo()) {
+    part_ = std::move(upper);
+    lo_ = std::move(middle);
   } else {
-    (sign == sign_at_lo_ ? lo_ : hi_) = std::move(middle);
+    part_ = part_.half(false);
+    hi_ = std::move(middle);
   }
 }
 
@@ -99,23 +73,25 @@ void RealRoot::narrow(const Rational& width) {
 int RealRoot::sign_of(const Polynomial& q) {
   if (q.degree() <= 0) return q.is_zero() ? 0 : sgn(q.leading());
   if (is_rational()) return q.sign_at(lo_);
-  const SturmSequence sturm(q);
+  PolynomialPart part(q, lo_, hi_);
   // A common divisor has at most the root of p_ here, and that once.
   bool compared = false;
-  while (!is_rational() && (sturm.roots_in(lo_, hi_) > 0 || q.sign_at(lo_) == 0)) {
+  while (!is_rational() && !part.has_one_sign()) {
     if (!compared) {
       compared = true;
       const Polynomial common = gcd(p_, q);
       if (common.sign_at(lo_) * common.sign_at(hi_) < 0) {
         p_ = common;
-        sign_at_lo_ = p_.sign_at(lo_);
+        part_ = PolynomialPart(p_, lo_, hi_);
         if (p_.degree() == 1) lo_ = hi_ = linear_root(p_);
         return 0;
       }
     }
+    const Rational hi = hi_;
     refine();
+    part = part.half(hi_ == hi);
   }
-  return q.sign_at(lo_);
+  return is_rational() ? q.sign_at(lo_) : part.sign_at_lo();
 }
 
 bool RealRoot::equals(const RealRoot& o) const {
@@ -140,17 +116,12 @@ std::strong_ordering compare(RealRoot& a, RealRoot& b) {
 
 std::vector<RealRoot> roots_in(const Polynomial& p, const Rational& from, const Rational& to) {
   std::vector<RealRoot> roots;
-  Polynomial rest = squarefree(p);
-  const auto take = [&rest](const Rational& x) {
-    if (rest.sign_at(x) != 0) return false;
-    rest = quotient(rest, Polynomial({-x.get_num(), x.get_den()}));
-    return true;
-  };
-  if (take(from)) roots.emplace_back(from);
+  if (p.sign_at(from) == 0) roots.emplace_back(from);
   if (from == to) return roots;
-  const bool at_end = take(to);
-  if (rest.degree() > 0) isolate(rest, SturmSequence(rest), from, to, roots);
-  if (at_end) roots.emplace_back(to);
+  const Polynomial simple = squarefree(p);
+  const PolynomialPart part(simple, from, to);
+  isolate(simple, part, from, to, roots);
+  if (part.sign_at_hi() == 0) roots.emplace_back(to);
   return roots;
 }
 

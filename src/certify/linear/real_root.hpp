@@ -12,8 +12,9 @@ namespace ccdfuzz::linear {
 class RealRoot {
  public:
   explicit RealRoot(Rational x) : lo_(x), hi_(std::move(x)) {}
-  /// Requires: p is squarefree, has one root in (lo, hi), and none at the ends.
-  RealRoot(Polynomial p, Rational lo, Rational hi);
+  /// Requires: p is squarefree, has one root in (lo, hi), and none at the ends. part: p on [lo,
+  /// hi].
+  RealRoot(Polynomial p, PolynomialPart part, Rational lo, Rational hi);
 
   /// The enclosure so far.
   const Rational& lo() const { return lo_; }
@@ -37,15 +38,15 @@ class RealRoot {
 
  private:
   Polynomial p_;
+  PolynomialPart part_;  ///< unless it is rational
   Rational lo_, hi_;
-  int sign_at_lo_ = 0;
 };
 
 /// Refines both until it is clear which is less, unless they are equal.
 std::strong_ordering compare(RealRoot& a, RealRoot& b);
 
 /// The roots of p in the closed [from, to], ascending. Requires p ≠ 0, from ≤ to.
-/// By bisection, counting with Sturm's theorem.
+/// By bisection, counting with Descartes' rule of signs.
 std::vector<RealRoot> roots_in(const Polynomial& p, const Rational& from, const Rational& to);
 
 /// The fraction with the least denominator in the open (lo, hi); of those the one nearest to 0.
