@@ -17,7 +17,7 @@ set(ccdfuzz_public_headers
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/domain.hpp method/features.hpp
   method/method.hpp
-  numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/fraction.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/enum_names.hpp base/result.hpp base/verify.hpp
+  numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/fraction.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/enum_names.hpp base/result.hpp base/stopwatch.hpp base/time_limit.hpp base/verify.hpp
   case/answer.hpp case/body_kind.hpp case/case.hpp case/certificate.hpp
   case/checked_case.hpp case/judge.hpp case/outcome.hpp case/query.hpp case/taxonomy.hpp
   files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp files/tree_file.hpp

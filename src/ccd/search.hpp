@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "base/fp_guard.hpp"
+#include "base/stopwatch.hpp"
 #include "bezier/trim_region.hpp"
 #include "case/answer.hpp"
 #include "case/query.hpp"
@@ -40,7 +40,8 @@ class Deadline {
   static constexpr int kWorkBetweenLooks = 128;
 
   explicit Deadline(const SearchOptions& options)
-      : seconds_(options.max_seconds), clock_(options.clock != nullptr ? options.clock : steady) {
+      : seconds_(options.max_seconds),
+        clock_(options.clock != nullptr ? options.clock : steady_seconds) {
     if (is_limited()) start_ = clock_();
   }
 
@@ -59,11 +60,6 @@ class Deadline {
   }
 
  private:
-  static double steady() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-  }
-
   bool is_limited() const { return seconds_ < SearchOptions::kNoTimeLimit; }
 
   double seconds_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/result.hpp"
+#include "base/time_limit.hpp"
 #include "certify/checker/work_done.hpp"
 #include "numeric/fraction.hpp"
 
@@ -59,7 +60,8 @@ inline std::uint64_t product_work(const Fraction& a, const Fraction& b) {
 
 /// Counts the work of one check, so that a small file cannot occupy the checker for long. It is
 /// counted from the sizes of numbers: the same file is refused on every machine. Its end adds it to
-/// work_done_here().
+/// work_done_here(). It looks at the TimeLimit of this thread at its start, and about every
+/// millisecond.
 class Work {
  public:
   /// Thrown by charge, and caught by within_work.
@@ -67,7 +69,7 @@ class Work {
     std::uint64_t most;
   };
 
-  explicit Work(std::uint64_t most) : most_(most), left_(most) {}
+  explicit Work(std::uint64_t most) : most_(most), left_(most) { TimeLimit::stop_if_late(); }
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
   ~Work() { do_work_here(most_ - left_); }
@@ -78,10 +80,16 @@ class Work {
       throw Exceeded{most_};
     }
     left_ -= words;
+    not_looked_ += words;
+    if (not_looked_ < kBetweenLooks) return;
+    not_looked_ = 0;
+    TimeLimit::stop_if_late();
   }
 
  private:
-  std::uint64_t most_, left_;
+  static constexpr std::uint64_t kBetweenLooks = 1 << 20;
+
+  std::uint64_t most_, left_, not_looked_ = 0;
 };
 
 /// check(of..., work). Errors: those of check; it exceeds the budget, naming `where` (is_limit).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/time_limit.hpp"
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
 #include "case/mesh.hpp"
@@ -34,7 +35,11 @@ class DecidingBodies {
   }
 
   Decision run() {
-    if (!misses()) approach();
+    try {
+      if (!misses()) approach();
+    } catch (const OutOfTime&) {
+      out_.note = kOutOfTime;
+    }
     return std::move(out_);
   }
 
@@ -49,6 +54,7 @@ class DecidingBodies {
 
   const Found& nearest_at(const Rational& t) {
     ++out_.pops;
+    TimeLimit::stop_if_late();
     return nearest_(points_[0], moved(t));
   }
 
@@ -166,6 +172,7 @@ Decision decide_mesh(const Query& query) {
     const Query part = of_face(query, face);
     Decision found = DecidingBodies(part).run();
     out.pops += found.pops;
+    if (!found.note.empty()) out.note = found.note;
     if (const auto& clearance = found.truth.clearance) {
       const auto& [until, normal, closed] = std::get<BodyClearance>(*clearance);
       clear.normals.push_back(normal);

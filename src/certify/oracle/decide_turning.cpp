@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/time_limit.hpp"
 #include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
@@ -42,7 +43,11 @@ class DecidingTurning {
   }
 
   Decision run() {
-    if (!options_.apart_along || !add_plane(seen_along(0), seen_along(t_max_))) approach();
+    try {
+      if (!options_.apart_along || !add_plane(seen_along(0), seen_along(t_max_))) approach();
+    } catch (const OutOfTime&) {
+      out_.note = kOutOfTime;
+    }
     if (spent_ > kMostWork) {
       out_.truth = {};
       out_.note = check_body_planes(query_, planes_).error().message();
@@ -69,6 +74,7 @@ class DecidingTurning {
 
   Sight sight_at(const Rational& t) {
     ++out_.pops;
+    TimeLimit::stop_if_late();
     Sight out{t, {}, {}};
     const std::array<Points<Integer>, 2> points = rounded_points(t);
     NearestPoints nearest;

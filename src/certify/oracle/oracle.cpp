@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/fp_guard.hpp"
+#include "base/time_limit.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/past_start.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
@@ -34,12 +35,16 @@ class Deciding {
   }
 
   Decision run() {
-    if (options_.known && options_.known->t <= exact(query_.t_max)) {
-      CCDFUZZ_VERIFY(check_witness(query_, *options_.known));
-      consider(*options_.known);
+    try {
+      if (options_.known && options_.known->t <= exact(query_.t_max)) {
+        CCDFUZZ_VERIFY(check_witness(query_, *options_.known));
+        consider(*options_.known);
+      }
+      search();
+      prove_clear();
+    } catch (const OutOfTime&) {
+      out_.note = kOutOfTime;
     }
-    search();
-    prove_clear();
     conclude(query_, out_.truth);
     return std::move(out_);
   }
@@ -173,6 +178,36 @@ Decision undecided(const InputError& why, std::uint64_t pops) {
   return decision;
 }
 
+Decision find_truth(const Query& query, const OracleOptions& options) {
+  const TimeLimit limit(options.max_seconds, options.clock);
+  try {
+    if (is_of_bodies(query)) return decide_bodies(query, options);
+    std::optional<Clearance> clearance;
+    if (linear::is_linear(query)) {
+      Decision found = decide_linear(query, options);
+      if (found.truth.collides) return found;
+      clearance = std::move(found.truth.clearance);
+    }
+    return Deciding(query, options, std::move(clearance)).run();
+  } catch (const OutOfTime&) {
+    return undecided({"", kOutOfTime}, 0);
+  }
+}
+
+/// Whether the checker accepts all that was found. Planes between bodies it accepted one by one, as
+/// they were found.
+Result<void> check_found(const Query& query, const Decision& found, const OracleOptions& options) {
+  const TimeLimit limit(options.max_seconds, options.clock);
+  try {
+    CCDFUZZ_TRY_VOID(check_truth({query, found.truth, {}, {}}));
+    const auto& clearance = found.truth.clearance;
+    if (!clearance || std::holds_alternative<BodyPlanes>(*clearance)) return {};
+    return check_clearance(query, *clearance, found.tree);
+  } catch (const OutOfTime&) {
+    return tl::unexpected(InputError{"", kOutOfTime, true});
+  }
+}
+
 }  // namespace
 
 void conclude(const Query& query, Truth& truth) {
@@ -191,27 +226,14 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
-  Decision found;
-  if (is_of_bodies(query)) {
-    found = decide_bodies(query, options);
-  } else {
-    if (linear::is_linear(query)) found = decide_linear(query, options);
-    if (!found.truth.collides) {
-      found = Deciding(query, options, std::move(found.truth.clearance)).run();
-    }
-  }
+  Decision found = find_truth(query, options);
   if (found.truth.collides) {
     found.note.clear();
   } else if (found.note.empty()) {
     found.note = "no certificate found";
   }
-  // Nothing leaves the oracle that the checker does not accept, or that takes it too long. Planes
-  // between bodies it accepted one by one, as they were found.
-  Result<void> checked = check_truth({query, found.truth, {}, {}});
-  if (checked && found.truth.clearance &&
-      !std::holds_alternative<BodyPlanes>(*found.truth.clearance)) {
-    checked = check_clearance(query, *found.truth.clearance, found.tree);
-  }
+  // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
+  const Result<void> checked = check_found(query, found, options);
   if (checked) return found;
   CCDFUZZ_VERIFY(checked.error().is_limit);  // else a proof of ours is wrong
   // A contact stands without the proof of the time before, where that takes too long.
@@ -219,7 +241,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
     found.truth.clearance.reset();
     found.truth.clear_until.reset();
     found.tree.clear();
-    if (check_truth({query, found.truth, {}, {}})) return found;
+    if (check_found(query, found, options)) return found;
   }
   return undecided(checked.error(), found.pops);
 }

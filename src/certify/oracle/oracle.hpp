@@ -16,7 +16,8 @@ struct OracleOptions {
   std::uint64_t max_pops = 100'000;        ///< for each search
   std::uint64_t max_bytes = 256 << 20;     ///< for each search's queue
   std::uint64_t max_tree_nodes = 250'000;  ///< for a miss tree that decides; others have a quarter
-  /// Wall time of the searches and trees; what was found by then is checked and returned.
+  /// Wall time of finding. What was found by then is checked and returned, if that takes no longer
+  /// than this again.
   double max_seconds = SearchOptions::kNoTimeLimit;
   double (*clock)() = nullptr;  ///< as of SearchOptions
   /// A contact that is known already.
@@ -40,6 +41,9 @@ struct Decision {
   std::uint64_t pops = 0;
   std::string note;  ///< why it is undecided
 };
+
+/// The note where max_seconds are over.
+inline constexpr const char* kOutOfTime = "time budget exhausted";
 
 /// Makes a truth say what its certificates prove of a query: collides, clear_until and the word for
 /// the proof.
