@@ -1,7 +1,11 @@
+#include <array>
 #include <cmath>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 
@@ -143,6 +147,71 @@ void check_root_of_linear(Draw& d) {
   CLAIM(!check_contact_root(query, root) || is_contact(query, root));
 }
 
+/// Linear patches, often degenerate, whose numbers differ by up to 2^1022: each axis, velocities,
+/// the separation and a few numbers have a magnitude of their own. Discarded if a number is past
+/// the doubles.
+Query draw_spread(Draw& d) {
+  const int most = d.pick(std::array{60, 60, 300, 600, 1022});
+  const auto power = [&] { return d.coin() ? 0 : d.integer(-most, most); };
+  Query query = supposed(draw_linear(d));
+  const int time = power();
+  query.t_max = std::ldexp(query.t_max, -time);
+  query.separation = d.coin() ? 0 : std::ldexp(1 + d.integer(0, 7), power());
+  for (int k = 0; k < 3; ++k) {
+    const int axis = power();
+    for (MovingPatch<double>& patch : query.patches) {
+      for (Vec3<double>& p : patch.positions) p[k] = std::ldexp(p[k], axis);
+      for (Vec3<double>& v : patch.velocities) v[k] = std::ldexp(v[k], axis + time);
+    }
+  }
+  for (int moved = d.integer(0, 2); moved > 0; --moved) {
+    MovingPatch<double>& patch = query.patches[d.choose(1)];
+    Points<double>& points = d.coin() ? patch.positions : patch.velocities;
+    Vec3<double>& p = points[d.choose(points.size() - 1)];
+    p[static_cast<int>(d.choose(2))] += std::ldexp(d.integer(-3, 3), power());
+  }
+  suppose(validate(query, "").has_value());
+  return query;
+}
+
+/// What the oracle says is written and read again, and accepted.
+void check_decision_is_read(Draw& d) {
+  Case made;
+  made.query = show(d, "query", draw_spread(d));
+  const Decision decision = decide(made.query, {.max_pops = 300, .max_tree_nodes = 500});
+  show(d, "note", decision.note);
+  made.truth = decision.truth;
+  if (!decision.tree.empty())
+    std::get<MissTree>(*made.truth.clearance).tree = {0, 1, std::string(32, '0')};
+  const Result<Case> read = show(d, "read", parse_case(to_json(made), "file"));
+  CLAIM(read.has_value());
+  CLAIM(*read == made);
+  CLAIM(check_case(*read, decision.tree).has_value());
+}
+
+/// A clock that has gone on by one second each time that it is read.
+thread_local double seconds_read = 0;
+double reading_clock() {
+  return ++seconds_read;
+}
+
+/// With a limit of time the oracle says the same, or less. Finding and checking what was found end
+/// at the first look at the clock after their time, and so does checking a part of it.
+void check_time_is_kept(Draw& d) {
+  const Query query = show(d, "query", draw_spread(d));
+  const OracleOptions few = {.max_pops = 300, .max_tree_nodes = 500};
+  const Truth free = decide(query, few).truth;
+  OracleOptions limited = few;
+  limited.max_seconds = show(d, "seconds", d.integer(0, 300));
+  limited.clock = reading_clock;
+  seconds_read = 0;
+  const Truth truth = decide(query, limited).truth;
+  show(d, "case", Case{query, truth, {}, {}});
+  CLAIM(!truth.collides || truth.collides == free.collides);
+  constexpr int kParts = 3, kLooks = 3;
+  CLAIM(show(d, "looks", seconds_read) <= kParts * (limited.max_seconds + kLooks));
+}
+
 }  // namespace
 
 std::vector<Property> linear_certificates_claims() {
@@ -157,6 +226,13 @@ std::vector<Property> linear_certificates_claims() {
        "The root of a contact, also at a separation, is accepted, and after a change only if it is "
        "one still",
        kSource, check_root_of_linear},
+      {"oracle.is_read",
+       "What the oracle says of linear patches of all magnitudes is written, read again and "
+       "accepted",
+       "src/certify/oracle/is_readable.hpp", check_decision_is_read},
+      {"oracle.keeps_time",
+       "With a limit of time the oracle says the same of linear patches, or less, and in time",
+       "src/certify/oracle/oracle.hpp", check_time_is_kept},
   };
 }
 

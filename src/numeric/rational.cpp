@@ -66,6 +66,11 @@ std::string to_text(const Rational& x) {
   return x.get_str();
 }
 
+bool is_readable(const Rational& x) {
+  return mpz_sizeinbase(x.get_num_mpz_t(), 10) <= kMaxRationalDigits &&
+         mpz_sizeinbase(x.get_den_mpz_t(), 10) <= kMaxRationalDigits;
+}
+
 Result<Rational> parse_rational(std::string_view text) {
   const auto refuse = [&] {
     constexpr size_t kShown = 60;

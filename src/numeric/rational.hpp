@@ -38,6 +38,9 @@ std::string to_text(const Rational& x);
 /// random linear queries of all magnitudes the largest has 5,732.
 inline constexpr size_t kMaxRationalDigits = 5000;
 
+/// Whether it is as short as that. Some numbers that are just as short are not known to be.
+bool is_readable(const Rational& x);
+
 /// Reads "p/q" or "p": decimal integers, optional leading minus, q > 0. The result is canonical.
 /// Errors: anything else, naming the text; more digits than kMaxRationalDigits.
 Result<Rational> parse_rational(std::string_view text);

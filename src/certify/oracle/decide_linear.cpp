@@ -7,20 +7,34 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "certify/oracle/is_readable.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
+constexpr int kMostRounds = 64;
+
 /// Narrows the contact's time until its polynomial proves the contact to the checker. It does in
 /// the end: what is not 0 at the root has a sign by its Bernstein coefficients on a short interval.
 /// Nothing if the time turns out to be rational, or the numbers get too long before that.
 std::optional<ContactRoot> provable_root(const Query& query, linear::RealRoot& time) {
-  constexpr int kMostRounds = 64;
   for (int round = 0; round < kMostRounds && !time.is_rational(); ++round) {
-    const ContactRoot root{time.polynomial().coefficients(), time.lo(), time.hi()};
+    ContactRoot root{time.polynomial().coefficients(), time.lo(), time.hi()};
+    if (!is_readable(root)) break;
     if (check_contact_root(query, root)) return root;
     time.narrow((time.hi() - time.lo()) * power_of_two(-64));
+  }
+  return std::nullopt;
+}
+
+/// The same of a rational time > 0.
+std::optional<ContactRoot> provable_root(const Query& query, const Rational& t) {
+  for (int round = 1; round < kMostRounds; ++round) {
+    const Rational width = t * power_of_two(-64 * round);
+    ContactRoot root{{Integer(-t.get_num()), t.get_den()}, t - width, t + width};
+    if (!is_readable(root)) break;
+    if (check_contact_root(query, root)) return root;
   }
   return std::nullopt;
 }
@@ -62,12 +76,19 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
     time.sign_of(linear::Polynomial({-t_max.get_num(), t_max.get_den()}));
     const auto at_end = [&] { return Witness{time.hi(), nearest_at(patches, time.hi())}; };
     Witness witness = at_end();
+    const auto is_proof = [&] {
+      return is_readable(witness) && check_contact(query, witness).has_value();
+    };
     // At a separation patches stay in contact, mostly. Then no root is needed.
-    bool is_contact = check_contact(query, witness).has_value();
+    bool is_contact = is_proof();
     if (!is_contact && !is_trimmed(query)) {
       truth.contact_root = provable_root(query, time);
       witness = at_end();
-      is_contact = time.is_rational();
+      is_contact = is_proof();
+      // Parameters may be longer than files may hold, where the time is not.
+      if (!is_contact && time.is_rational() && time.lo() > 0) {
+        truth.contact_root = provable_root(query, time.lo());
+      }
     }
     if (is_contact) truth.witness = witness;
     if (!time.is_rational()) {

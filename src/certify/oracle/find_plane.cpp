@@ -49,12 +49,6 @@ std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational
   return out;
 }
 
-/// Whether a file may hold the number.
-bool is_readable(const Rational& x) {
-  return mpz_sizeinbase(x.get_num_mpz_t(), 10) <= kMaxRationalDigits &&
-         mpz_sizeinbase(x.get_den_mpz_t(), 10) <= kMaxRationalDigits;
-}
-
 }  // namespace
 
 std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness) {

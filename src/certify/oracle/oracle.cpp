@@ -19,6 +19,7 @@
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "certify/oracle/is_readable.hpp"
 
 namespace ccdfuzz {
 
@@ -194,9 +195,13 @@ Decision find_truth(const Query& query, const OracleOptions& options) {
   }
 }
 
-/// Whether the checker accepts all that was found. Planes between bodies it accepted one by one, as
-/// they were found.
+/// Whether the checker accepts all that was found, and files may hold it. Planes between bodies it
+/// accepted one by one, as they were found.
 Result<void> check_found(const Query& query, const Decision& found, const OracleOptions& options) {
+  if (!is_readable(found.truth)) {
+    return tl::unexpected(InputError{
+        "", fmt::format("a proof has a number of more than {} digits", kMaxRationalDigits), true});
+  }
   const TimeLimit limit(options.max_seconds, options.clock);
   try {
     CCDFUZZ_TRY_VOID(check_truth({query, found.truth, {}, {}}));
@@ -232,7 +237,8 @@ Decision decide(const Query& query, const OracleOptions& options) {
   } else if (found.note.empty()) {
     found.note = "no certificate found";
   }
-  // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
+  // Nothing leaves the oracle that the checker does not accept, that takes it too long, or that
+  // files may not hold.
   const Result<void> checked = check_found(query, found, options);
   if (checked) return found;
   CCDFUZZ_VERIFY(checked.error().is_limit);  // else a proof of ours is wrong
