@@ -9,19 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "scratch_folder.hpp"
+
 namespace ccdfuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
 const fs::path kRoot = CCDFUZZ_SOURCE_DIR;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
 
 std::vector<fs::path> files_in(const char* folder, const std::vector<std::string>& extensions) {
   std::vector<fs::path> files;
@@ -58,13 +53,13 @@ TEST(Citations, NameSectionsAndLawsThatDerivationsHave) {
   for (const char* top : {"src", "generators", "properties", "tests"}) {
     for (const fs::path& file : files_in(top, {".hpp", ".cpp"})) {
       if (file.filename() == "citations_test.cpp") continue;
-      std::string text = text_of(file);
+      std::string text = read_text(file);
       if (text.find("DERIVATION.md") == std::string::npos) continue;
       text = std::regex_replace(text, line_break, " ");
       for (std::sregex_iterator m(text.begin(), text.end(), citation), end; m != end; ++m) {
         const fs::path path = derivation_of(file, (*m)[1]);
         ASSERT_TRUE(fs::exists(path)) << file << " cites " << path;
-        const std::string derivation = text_of(path);
+        const std::string derivation = read_text(path);
         std::string section = (*m)[3];
         if (!section.empty()) {
           const bool is_number = section.front() != '"';
@@ -89,14 +84,14 @@ TEST(Citations, DerivationsNameFunctionsThatAreThere) {
   std::string code;
   for (const char* top : {"src", "generators", "properties", "tests"}) {
     for (const fs::path& file : files_in(top, {".hpp", ".cpp"})) {
-      code += text_of(file);
+      code += read_text(file);
       code += file.filename().string() + '\n';
     }
   }
   const std::regex name("`([A-Za-z_]\\w*(::\\w+)*)(\\([^`]*\\))?`");
   int names = 0;
   for (const fs::path& path : files_in("src", {".md"})) {
-    const std::string text = text_of(path);
+    const std::string text = read_text(path);
     for (std::sregex_iterator m(text.begin(), text.end(), name), end; m != end; ++m) {
       const std::string whole = (*m)[1], last = whole.substr(whole.rfind(':') + 1);
       ++names;

@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const fs::path kTop = CCDFUZZ_SOURCE_DIR;
+
 /// Of a room, what its folder's CMakeLists.txt says.
 struct Room {
   int most_lines = 0;
@@ -80,7 +82,8 @@ struct Include {
   bool quoted = false;
 };
 
-std::vector<Include> includes_of(std::istream& in) {
+std::vector<Include> includes_of(const fs::path& path) {
+  std::ifstream in(path);
   std::vector<Include> found;
   for (std::string line; std::getline(in, line);) {
     const size_t hash = line.find_first_not_of(" \t");
@@ -97,7 +100,7 @@ std::vector<Include> includes_of(std::istream& in) {
 }
 
 /// What is wrong with one include of the file at `path`; empty if nothing is.
-std::string complaint(const fs::path& root, const std::string& path, const Include& include) {
+std::string complaint(const std::string& path, const Include& include) {
   const std::string room = room_of(path);
   for (const auto& [header, rooms] : kDriversOnly) {
     if (!include.name.starts_with(header)) continue;
@@ -106,7 +109,7 @@ std::string complaint(const fs::path& root, const std::string& path, const Inclu
     if (!excepted) return room + " may not use <" + include.name + ">";
   }
   if (!include.quoted) return "";
-  if (!fs::exists(root / include.name) && !fs::exists(root / "src" / include.name)) {
+  if (!fs::exists(kTop / include.name) && !fs::exists(kTop / "src" / include.name)) {
     return "\"" + include.name + "\" is not a path from src or from the top";
   }
   const std::string used = room_of(include.name);
@@ -114,13 +117,13 @@ std::string complaint(const fs::path& root, const std::string& path, const Inclu
   return allowed(room).contains(used) ? "" : room + " may not include " + used;
 }
 
-std::vector<std::string> source_files(const fs::path& root) {
+std::vector<std::string> source_files() {
   std::vector<std::string> files;
   for (const char* top : {"src", "generators", "properties", "fuzz"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+    for (const auto& entry : fs::recursive_directory_iterator(kTop / top)) {
       const std::string extension = entry.path().extension();
       if (extension == ".hpp" || extension == ".cpp" || extension == ".h") {
-        files.push_back(fs::relative(entry.path(), root));
+        files.push_back(fs::relative(entry.path(), kTop));
       }
     }
   }
@@ -128,24 +131,22 @@ std::vector<std::string> source_files(const fs::path& root) {
 }
 
 TEST(Layering, EveryIncludeGoesDownwards) {
-  const fs::path root = CCDFUZZ_SOURCE_DIR;
-  const std::vector<std::string> files = source_files(root);
+  const std::vector<std::string> files = source_files();
   EXPECT_GT(files.size(), 20U);
   for (const std::string& path : files) {
     ASSERT_NE(room_of(path), "") << path << " stands in no room that the layers know";
-    std::ifstream in(root / path);
-    ASSERT_TRUE(in) << path;
-    for (const Include& include : includes_of(in)) {
-      EXPECT_EQ(complaint(root, path, include), "") << path;
+    for (const Include& include : includes_of(kTop / path)) {
+      EXPECT_EQ(complaint(path, include), "") << path;
     }
   }
 }
 
 /// The constants that a file declares outside of any block, each with its room.
-void add_constants(const std::string& path, std::istream& in,
+void add_constants(const std::string& path,
                    std::map<std::string, std::set<std::string>>& rooms_of) {
   static const std::regex declares("^(inline |static )*(constexpr|const) .*"),
       name("\\b(k[A-Z]\\w*)\\b(?= *(=|\\{|\\[))");
+  std::ifstream in(kTop / path);
   for (std::string line; std::getline(in, line);) {
     if (!std::regex_match(line, declares)) continue;
     for (std::sregex_iterator m(line.begin(), line.end(), name), end; m != end; ++m) {
@@ -157,19 +158,16 @@ void add_constants(const std::string& path, std::istream& in,
 // Files of a target are compiled as one: a constant of one file's unnamed namespace would silently
 // hide a header's of the same name from the files that come after it.
 TEST(Layering, NoConstantOfAFileHidesOneOfAHeader) {
-  const fs::path root = CCDFUZZ_SOURCE_DIR;
   std::map<std::string, std::set<std::string>> in_headers;
-  const std::vector<std::string> files = source_files(root);
+  const std::vector<std::string> files = source_files();
   for (const std::string& path : files) {
-    std::ifstream in(root / path);
-    if (!path.ends_with(".cpp")) add_constants(path, in, in_headers);
+    if (!path.ends_with(".cpp")) add_constants(path, in_headers);
   }
   EXPECT_GT(in_headers.size(), 20U);
   for (const std::string& path : files) {
     if (!path.ends_with(".cpp")) continue;
-    std::ifstream in(root / path);
     std::map<std::string, std::set<std::string>> own;
-    add_constants(path, in, own);
+    add_constants(path, own);
     const std::set<std::string> visible = allowed(room_of(path));
     for (const auto& [constant, room] : own) {
       for (const std::string& header_room : in_headers[constant]) {
@@ -190,8 +188,8 @@ TEST(Layering, NoArrowPointsUp) {
 
 TEST(Layering, NoRoomHoldsMoreLinesThanItsBudgetAndNoFileMoreThan400) {
   std::map<std::string, int> lines;
-  for (const std::string& path : source_files(CCDFUZZ_SOURCE_DIR)) {
-    std::ifstream in(fs::path(CCDFUZZ_SOURCE_DIR) / path);
+  for (const std::string& path : source_files()) {
+    std::ifstream in(kTop / path);
     int of_file = 0;
     for (std::string line; std::getline(in, line);) ++of_file;
     EXPECT_LE(of_file, 400) << path;
@@ -210,12 +208,11 @@ TEST(Layering, TheCheckerIsIndependentOfTheMethods) {
 }
 
 /// The names that a header includes, and those that the project's headers among them do.
-std::set<std::string> closure(const fs::path& root, const std::string& header) {
+std::set<std::string> closure(const std::string& header) {
   std::set<std::string> all;
   const auto add = [&](const auto& self, const std::string& name) -> void {
     if (!all.insert(name).second) return;
-    std::ifstream in(root / "src" / name);
-    for (const Include& include : includes_of(in)) self(self, include.name);
+    for (const Include& include : includes_of(kTop / "src" / name)) self(self, include.name);
   };
   add(add, header);
   return all;
@@ -223,13 +220,12 @@ std::set<std::string> closure(const fs::path& root, const std::string& header) {
 
 // The certified method uses doubles only, and nothing of the paper's methods.
 TEST(Layering, HeadersOfTheCertifiedMethodHaveNoGmpAndNothingOfThePaper) {
-  const fs::path root = CCDFUZZ_SOURCE_DIR;
   int headers = 0;
-  for (const auto& entry : fs::directory_iterator(root / "src/ccd/certified")) {
+  for (const auto& entry : fs::directory_iterator(kTop / "src/ccd/certified")) {
     if (entry.path().extension() != ".hpp") continue;
     ++headers;
-    const std::string header = fs::relative(entry.path(), root / "src");
-    const std::set<std::string> all = closure(root, header);
+    const std::string header = fs::relative(entry.path(), kTop / "src");
+    const std::set<std::string> all = closure(header);
     EXPECT_TRUE(all.contains("array") || all.contains("cstdint") || all.contains("span")) << header;
     for (const char* barred :
          {"gmpxx.h", "gmp.h", "ccd/line.hpp", "ccd/envelope.hpp", "ccd/robustness.hpp",
@@ -238,19 +234,17 @@ TEST(Layering, HeadersOfTheCertifiedMethodHaveNoGmpAndNothingOfThePaper) {
     }
   }
   EXPECT_GT(headers, 10);
-  EXPECT_TRUE(closure(root, "bezier/exact_patch.hpp").contains("gmpxx.h"));
+  EXPECT_TRUE(closure("bezier/exact_patch.hpp").contains("gmpxx.h"));
 }
 
 // What decides about a proof is given values and bytes. None of the rooms below it reads or writes.
 TEST(Layering, NothingBelowTheCheckerReadsFiles) {
-  const fs::path root = CCDFUZZ_SOURCE_DIR;
   const std::set<std::string> below = allowed("certify/checker");
   int files = 0;
-  for (const std::string& path : source_files(root)) {
+  for (const std::string& path : source_files()) {
     if (!below.contains(room_of(path))) continue;
     ++files;
-    std::ifstream in(root / path);
-    for (const Include& include : includes_of(in)) {
+    for (const Include& include : includes_of(kTop / path)) {
       for (const char* barred : {"nlohmann", "zstd", "xxhash", "tbb", "CLI", "zlib", "fstream",
                                  "iostream", "filesystem", "cstdio", "fcntl", "unistd"}) {
         EXPECT_FALSE(include.name.starts_with(barred)) << path << " includes " << include.name;
@@ -261,19 +255,15 @@ TEST(Layering, NothingBelowTheCheckerReadsFiles) {
 }
 
 TEST(Layering, RefusesWhatGoesUpwards) {
-  const fs::path root = CCDFUZZ_SOURCE_DIR;
-  const auto refused = [&](const std::string& path, const Include& include) {
-    return complaint(root, path, include);
-  };
-  EXPECT_EQ(refused("src/certify/checker/x.cpp", {"ccd/search.hpp", true}),
+  EXPECT_EQ(complaint("src/certify/checker/x.cpp", {"ccd/search.hpp", true}),
             "certify/checker may not include ccd");
-  EXPECT_EQ(refused("src/numeric/x.cpp", {"bezier/patch.hpp", true}),
+  EXPECT_EQ(complaint("src/numeric/x.cpp", {"bezier/patch.hpp", true}),
             "numeric may not include bezier");
-  EXPECT_EQ(refused("properties/x.hpp", {"gtest/gtest.h", false}),
+  EXPECT_EQ(complaint("properties/x.hpp", {"gtest/gtest.h", false}),
             "properties may not use <gtest/gtest.h>");
-  EXPECT_NE(refused("src/case/x.hpp", {"query.hpp", true}), "");
-  EXPECT_EQ(refused("src/case/x.hpp", {"case/query.hpp", true}), "");
-  EXPECT_EQ(refused("src/case/x.hpp", {"vector", false}), "");
+  EXPECT_NE(complaint("src/case/x.hpp", {"query.hpp", true}), "");
+  EXPECT_EQ(complaint("src/case/x.hpp", {"case/query.hpp", true}), "");
+  EXPECT_EQ(complaint("src/case/x.hpp", {"vector", false}), "");
 }
 
 }  // namespace

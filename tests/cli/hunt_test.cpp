@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <map>
-#include <thread>
 
 #include "files/case_files.hpp"
 #include "process.hpp"
@@ -31,13 +29,6 @@ std::map<std::string, std::string> files_in(const std::string& folder) {
     files[entry.path().filename()] = read_text(entry.path());
   }
   return files;
-}
-
-/// Starts a long hunt and waits until it has stored something.
-std::unique_ptr<Process> hunting(const std::string& corpus) {
-  auto process = std::make_unique<Process>(hunt(corpus, {"--seconds", "600"}));
-  while (entries_in(corpus).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return process;
 }
 
 TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
@@ -73,10 +64,9 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
   for (const int signal : {SIGINT, SIGHUP}) {
     const ScratchFolder folder;
     const std::string finds = folder / "finds";
-    const auto process = hunting(finds);
-    process->signal(signal);
-    const Finished finished = process->wait();
-    EXPECT_EQ(finished.code, 128 + signal) << finished.err;
+    Process process(hunt(finds, {"--seconds", "600"}));
+    process.wait_until([&] { return !entries_in(finds).empty(); });
+    const Finished finished = process.ended_by(signal);
     EXPECT_THAT(finished.out, testing::ContainsRegex("\nmethod (.|\n)*new counterexamples"));
     succeeded(ccdfuzz({"replay", finds}));
   }

@@ -31,9 +31,7 @@ class LostFolder : public testing::Test {
   }
 
   void wait_for_entries(size_t count = 1) {
-    while (entries_in(finds_).size() < count && !hunt_->is_over()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    hunt_->wait_until([&] { return entries_in(finds_).size() >= count; });
   }
 
   /// In one step: the hunt would make a folder again that is away for a moment.
@@ -44,9 +42,7 @@ class LostFolder : public testing::Test {
 
   /// Ends the hunt. Its folder has all that was found before the loss.
   Finished end() {
-    hunt_->signal(SIGINT);
-    Finished finished = hunt_->wait();
-    EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
+    Finished finished = hunt_->ended_by(SIGINT);
     // An entry may have been replaced by a smaller one since.
     succeeded(ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"}));
     EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));

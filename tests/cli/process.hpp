@@ -13,9 +13,9 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "comes_to_hold.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {
@@ -68,6 +68,28 @@ class Process {
            ended.si_pid != 0;
   }
 
+  /// Until then, or its end.
+  template <class Condition>
+  void wait_until(const Condition& holds) const {
+    EXPECT_TRUE(comes_to_hold([&] { return holds() || is_over(); })) << command_;
+  }
+
+  /// How much of a file it has read, by its descriptor of it; 0 without one.
+  std::uintmax_t read_of(const std::string& path) const {
+    const std::string process = fmt::format("/proc/{}/", pid_);
+    std::error_code none;
+    for (std::filesystem::directory_iterator it(process + "fd", none), end; !none && it != end;
+         it.increment(none)) {
+      if (std::filesystem::read_symlink(it->path(), none) != path) continue;
+      std::istringstream info(read_text(process + "fdinfo/" + it->path().filename().string()));
+      std::string name;
+      std::uintmax_t position = 0;
+      info >> name >> position;
+      return position;
+    }
+    return 0;
+  }
+
   Finished wait() {
     int status = 0;
     rusage used = {};
@@ -76,6 +98,14 @@ class Process {
     return {command_, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
             contents(out_path_), contents(err_path_),
             static_cast<std::uint64_t>(used.ru_maxrss) << 10U};
+  }
+
+  /// What it leaves when a signal ends it.
+  Finished ended_by(int number) {
+    signal(number);
+    Finished finished = wait();
+    EXPECT_EQ(finished.code, 128 + number) << finished.out << finished.err;
+    return finished;
   }
 
  private:
@@ -116,9 +146,8 @@ inline std::set<std::string> entries_in(const std::string& folder) {
 inline Finished ended_by(int signal, const std::vector<std::string>& command,
                          const std::string& path, std::uintmax_t bytes) {
   Process process(command);
-  while (size_or_zero(path) < bytes && !process.is_over()) std::this_thread::yield();
-  process.signal(signal);
-  return process.wait();
+  process.wait_until([&] { return size_or_zero(path) >= bytes; });
+  return process.ended_by(signal);
 }
 
 /// A command with more arguments.

@@ -5,10 +5,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "admitted.hpp"
+#include "comes_to_hold.hpp"
 #include "meeting_points.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
@@ -276,9 +276,8 @@ TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
 /// Whether a process is there; one that has ended but that nobody looked after yet is not.
 bool lives(pid_t pid) {
   // getline, not an iterator: of a process that ends just now, reading throws.
-  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
-  std::string line;
-  return std::getline(stat, line) && line.find(") Z ") == std::string::npos;
+  const std::string stat = read_text("/proc/" + std::to_string(pid) + "/stat");
+  return !stat.empty() && stat.find(") Z ") == std::string::npos;
 }
 
 TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
@@ -300,9 +299,7 @@ TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
 size_t count_of(const std::string& name) {
   size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream file(entry.path() / "comm");
-    std::string line;
-    if (std::getline(file, line) && line == name) ++count;
+    if (read_text(entry.path() / "comm") == name + "\n") ++count;
   }
   return count;
 }
@@ -311,14 +308,9 @@ TEST(Plugin, LeavesNothingOfAThousandProcessesThatItStarted) {
   {
     const auto method = made(kMisbehaving + ":crowd:repeat=no:seconds=60");
     EXPECT_EQ(method->answer(falling_vertex(), {}).pops, 1000U);
-    while (count_of("ccdfuzz-crowd") < 1000) ::usleep(1000);  // until the last has its name
+    EXPECT_TRUE(comes_to_hold([] { return count_of("ccdfuzz-crowd") == 1000; })) << "by name";
   }
   EXPECT_EQ(count_of("ccdfuzz-crowd"), 0U);
-}
-
-bool ends_soon(pid_t pid) {
-  for (int i = 0; i < 600'000 && lives(pid); ++i) ::usleep(1000);
-  return !lives(pid);
 }
 
 class PluginSupervisor : public testing::TestWithParam<const char*> {};
@@ -334,7 +326,7 @@ TEST_P(PluginSupervisor, LeavesNoProcessWhenItIsKilledAndTheErrorIsReported) {
   EXPECT_EQ(left.size(), 2U) << note;
   for (const pid_t pid : left) {
     // Of both: nobody is there any more who knows what it has started.
-    EXPECT_TRUE(whom == "both" || ends_soon(pid)) << pid;
+    EXPECT_TRUE(whom == "both" || comes_to_hold([pid] { return !lives(pid); })) << pid;
     if (lives(pid)) ::kill(pid, SIGKILL);
   }
 }

@@ -82,7 +82,7 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
   {
     Process killed(all);
     const auto is_begun = [&] { return size_or_zero(journal) > 500; };
-    for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
+    killed.wait_until(is_begun);
     ASSERT_TRUE(is_begun());
   }
   const std::uintmax_t size = std::filesystem::file_size(journal);
