@@ -89,9 +89,8 @@ int run_all(const Options& options) {
 /// What is wrong with a count of seeds, as CLI11 wants it.
 std::string check_whole(const std::string& text) {
   constexpr std::uint64_t kMost = 1'000'000;
-  const Result<std::uint64_t> number = parse_whole("", text);
-  if (!number) return number.error().what;
-  return 1 <= *number && *number <= kMost ? "" : fmt::format("{} is not in [1, {}]", text, kMost);
+  const Result<std::uint64_t> number = parse_whole("", text, 1, kMost);
+  return number ? "" : number.error().what;
 }
 
 /// The same of a time limit.

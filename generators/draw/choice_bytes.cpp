@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
-
+#include "base/number_text.hpp"
 #include "base/text.hpp"
 
 namespace ccdfuzz {
@@ -46,11 +45,7 @@ Result<ChoiceNumbers> parse_choices(const std::string& text) {
   ChoiceNumbers numbers;
   if (text.empty()) return numbers;
   for (const std::string& word : texts_between(text)) {
-    std::uint64_t x = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      return input_error("", fmt::format("\"{}\" is no whole number from 0 to 2^64 - 1", word));
-    }
+    CCDFUZZ_TRY(const std::uint64_t x, parse_whole("", word));
     numbers.push_back(x);
   }
   return numbers;

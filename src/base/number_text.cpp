@@ -108,15 +108,19 @@ Result<int> parse_power_of_two(const std::string& where, const std::string& text
   });
 }
 
-Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text) {
+Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text,
+                                  std::uint64_t least, std::uint64_t most) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, status] = std::from_chars(text.data(), end, value);
   const bool octal_to_some = text.size() > 1 && text[0] == '0';
-  if (status == std::errc() && rest == end && !octal_to_some) return value;
+  const bool is_whole = status == std::errc() && rest == end && !octal_to_some;
+  if (is_whole && least <= value && value <= most) return value;
   constexpr size_t kShown = 40;
-  return input_error(where, fmt::format("\"{}{}\" is not a whole number from 0 to 2^64 - 1",
-                                        text.substr(0, kShown), text.size() > kShown ? "…" : ""));
+  const bool has_limit = most < std::numeric_limits<std::uint64_t>::max();
+  return input_error(where, fmt::format("\"{}{}\" is not a whole number from {} to {}",
+                                        text.substr(0, kShown), text.size() > kShown ? "…" : "",
+                                        least, has_limit ? std::to_string(most) : "2^64 - 1"));
 }
 
 Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,11 @@ Result<std::vector<double>> parse_numbers(const std::string& where, const std::s
 /// The exponent e of a value 2^e. Errors: the value is no power of two.
 Result<int> parse_power_of_two(const std::string& where, const std::string& text);
 
-/// "7" is a whole number; "-1", "+7", "010", " 7", "0x7" and what exceeds 64 bits are none.
-Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text);
+/// "7" is a whole number; "-1", "+7", "010", " 7" and "0x7" are none. Errors: it is not from least
+/// to most.
+Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text,
+                                  std::uint64_t least = 0,
+                                  std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// Errors: first + count is past 2^64 - 1, where the numbers of cases end. things: what is counted.
 Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things);

@@ -123,15 +123,10 @@ class Command {
   template <class Value, class N = ValueIn<Value>>
   Option whole(const std::string& name, Value& value, const std::string& description,
                std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
-    return add_text(
-        name + " N", description, shown_default(value),
-        [&value, least, most](const std::string& where, const std::string& text) {
-          const std::uint64_t number = need(parse_whole(where, text));
-          if (number < least || number > most) {
-            throw BadInput{{where, fmt::format("{} is not in [{}, {}]", text, least, most)}};
-          }
-          value = static_cast<N>(number);
-        });
+    return add_text(name + " N", description, shown_default(value),
+                    [&value, least, most](const std::string& where, const std::string& text) {
+                      value = static_cast<N>(need(parse_whole(where, text, least, most)));
+                    });
   }
 
   /// The value that parse(where, text) makes of the text; where is the option's name.

@@ -23,10 +23,10 @@ TEST(ScoreboardCommand, RefusesWhatItCannotRun) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"--drivers", "nosuch"}, "--drivers: no driver \"nosuch\"; there are: random, "},
       {{"--faults", "nosuch"}, "--faults: no fault \"nosuch\""},
-      {{"--seeds", "0"}, "--seeds: 0 is not in [1, "},
+      {{"--seeds", "0"}, "--seeds: \"0\" is not a whole number from 1 to "},
       {{"--seeds", "-1"}, "--seeds: \"-1\" is not a whole number"},
-      {{"--weak-seeds", "0"}, "--weak-seeds: 0 is not in [1, "},
-      {{"--only-seed", "0"}, "--only-seed: 0 is not in [1, "},
+      {{"--weak-seeds", "0"}, "--weak-seeds: \"0\" is not a whole number from 1 to "},
+      {{"--only-seed", "0"}, "--only-seed: \"0\" is not a whole number from 1 to "},
       {{"--only-seed", "1", "--seeds", "2"}, "--seeds excludes --only-seed"},
       {{"--seconds", "nan"}, "--seconds: \"nan\" is not a number"},
       {{"--seconds", "-1"}, "--seconds: -1 is not in (0, 1000000000]"},
