@@ -31,7 +31,7 @@ void serve_if_asked(int argc, char** argv, const Served& served) {
     cpu_seconds = std::strtod(words[1].c_str(), nullptr);
     words.erase(words.begin(), words.begin() + 2);
   }
-  if (words.size() != 1) refuse("needs METHOD, --claims or --triage");
+  if (words.size() != 1) refuse("needs METHOD, such as tdibm-c");
   const std::string& what = words[0];
   if (what == "--triage") serve_lines(served.errand, cpu_seconds);
   if (what == "--claims") {
