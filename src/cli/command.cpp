@@ -18,6 +18,7 @@
 #include "cli/session.hpp"
 #include "files/check_file.hpp"
 #include "io/command_help.hpp"
+#include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -174,10 +175,15 @@ void Command::example(const std::string& what, const std::string& line) {
 }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& description) {
-  return parsed<std::string, std::string>(
-      name, value, description,
-      [](const std::string&, const std::string& text) -> Result<std::string> { return text; },
-      value);
+  const bool is_folder = Named(name).value == "FOLDER";
+  return add_text(
+      name, description, value,
+      [&value, is_folder](const std::string& where, const std::string& text) {
+        if (is_folder && case_file_kind_by_name(text) && !std::filesystem::is_directory(text)) {
+          throw BadInput{{where, text + ": is a file of cases by its name; accepted is a folder"}};
+        }
+        value = text;
+      });
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value,
