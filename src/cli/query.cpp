@@ -62,12 +62,14 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
     if (at.size() > kMost + 4) at = fmt::format(" at {:.10g}", *answer.toi);
   }
   const bool is_asked = judged.outcome != Outcome::kNotAsked;
+  // An answer that is nonsense has a verdict that is judged; a crash or a hang is none.
+  const bool is_answered = !(judged.outcome == Outcome::kError && judged.error != "nonsense");
   std::string outcome = to_text(judged.outcome, judged.late_by);
   outcome += depth_text(judged.depth, judged.depth_tolerance);
   return {{marked(row.method)},
-          {std::string(name_of(answer.verdict)) + at},
+          {is_answered ? std::string(name_of(answer.verdict)) + at : judged.error},
           {outcome, bad},
-          {is_asked ? fmt::format("{}", answer.pops) : "-"},
+          {is_asked && is_answered ? fmt::format("{}", answer.pops) : "-"},
           {is_asked ? duration_text(answer.seconds) : "-"}};
 }
 

@@ -293,7 +293,8 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.spec = plugin.spec.text;
   info.source = plugin.spec.path;
   const PluginDescription& d = plugin.description;
-  info.description = d.version.empty() ? d.name : d.name + " " + d.version;
+  info.description = d.name.empty() ? "says no name" : d.name;
+  if (!d.version.empty()) info.description += " " + d.version;
   info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;
   info.features = d.features;
