@@ -1,5 +1,7 @@
 #include "generators/contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bezier/bernstein.hpp"
@@ -54,6 +56,31 @@ std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vecto
     }
   }
   return sum;
+}
+
+bool lets_through(double t_max, const Rational& t, const Answer& answer, const AnswerTerms& terms) {
+  if (!terms.contact_at_zero && t == 0) return false;
+  if (!terms.closed_t_max && t == exact(t_max)) return false;
+  if (answer.verdict != Verdict::kHit) return answer.verdict == Verdict::kMiss;
+  const double at = answer.toi.value_or(HUGE_VAL);
+  if (!is_finite(at) || exact(at) < 0 || exact(at) > exact(t_max)) return true;
+  return exact(at) > t + exact(terms.time_tolerance);
+}
+
+/// "0.25 (0x1p-2)".
+std::string time_text(double t) {
+  return fmt::format("{} ({})", t, to_hex(t));
+}
+
+/// What was answered beside the contact's time, or the two doubles around it where it is none.
+std::string answered_text(const Rational& t, const Answer& answer, const AnswerTerms& terms) {
+  std::string text = fmt::format("answered {}", name_of(answer.verdict));
+  if (answer.has_toi()) text += " at " + time_text(*answer.toi);
+  const double before = round_down(t), after = round_up(t);
+  text += "; they touch at t = " + time_text(before);
+  if (exact(before) != t) text += " to " + time_text(after);
+  if (compare(terms.time_tolerance, 0) == 0) return text;
+  return text + fmt::format("; a hit may be {} later", terms.time_tolerance);
 }
 
 }  // namespace
@@ -156,14 +183,10 @@ Contact falling_point() {
   return q;
 }
 
-bool is_false_negative(const Contact& contact, const Answer& answer, const AnswerTerms& terms) {
+Explained is_false_negative(const Contact& contact, const Answer& answer,
+                            const AnswerTerms& terms) {
   const Rational t = contact.t.rational();
-  if (!terms.contact_at_zero && t == 0) return false;
-  if (!terms.closed_t_max && t == exact(contact.query.t_max)) return false;
-  if (answer.verdict != Verdict::kHit) return answer.verdict == Verdict::kMiss;
-  const double at = answer.toi.value_or(HUGE_VAL);
-  if (!is_finite(at) || exact(at) < 0 || exact(at) > exact(contact.query.t_max)) return true;
-  return exact(at) > t + exact(terms.time_tolerance);
+  return {lets_through(contact.query.t_max, t, answer, terms), answered_text(t, answer, terms)};
 }
 
 Case case_of(const Contact& q) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -50,11 +52,23 @@ ContactClass contact_class_of(const Contact& q);
 /// A point that falls on a line: what an empty corpus begins with where no drawn contact fits.
 Contact falling_point();
 
+/// A truth value that says why. RapidCheck, Catch2 and streams show the reason.
+struct Explained {
+  bool holds = false;
+  std::string why;
+
+  explicit operator bool() const { return holds; }
+  Explained operator!() const { return {!holds, why}; }
+  friend std::ostream& operator<<(std::ostream& out, const Explained& e) { return out << e.why; }
+};
+
 /// True iff the answer lets the contact through: by a miss, or by a hit after
 /// t + terms.time_tolerance. A hit at what is no time in [0, t_max], such as -1 or NaN, does so,
 /// too. Contacts at 0 and at t_max count unless the terms say that they do not. Never of what is
-/// undecided or refused.
-bool is_false_negative(const Contact& contact, const Answer& answer, const AnswerTerms& terms = {});
+/// undecided or refused. The reason has both times: "answered hit at 0.5 (0x1p-1); they touch at
+/// t = 0.25 (0x1p-2)".
+Explained is_false_negative(const Contact& contact, const Answer& answer,
+                            const AnswerTerms& terms = {});
 
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.
 Case case_of(const Contact& q);

@@ -16,8 +16,9 @@ static ccdfuzz::Answer my_ccd(const ccdfuzz::Query& query) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto contact = ccdfuzz::contact_of_bytes({data, size});
   if (!contact) return -1;  // not for the corpus
-  if (!ccdfuzz::is_false_negative(*contact, my_ccd(contact->query))) return 0;
-  std::cerr << to_json(case_of(*contact)) << '\n';
+  const auto missed = ccdfuzz::is_false_negative(*contact, my_ccd(contact->query));
+  if (!missed) return 0;
+  std::cerr << missed << '\n' << to_json(case_of(*contact)) << '\n';
   std::abort();
 }
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max, unsigned seed) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "generators/contact.hpp"
 
@@ -23,19 +22,13 @@ TEST(FalseNegative, IsAMissOrALateHit) {
   EXPECT_FALSE(is_false_negative(contact, Answer::hit(0)));
 }
 
-TEST(FalseNegative, IsAHitAtNoTime) {
-  const Contact contact = falling_point();
-  EXPECT_TRUE(is_false_negative(contact, Answer::hit(std::nan(""))));
-  EXPECT_TRUE(is_false_negative(contact, Answer::hit(HUGE_VAL)));
-  EXPECT_TRUE(is_false_negative(contact, Answer::hit(-HUGE_VAL)));
-  EXPECT_TRUE(is_false_negative(contact, with(Verdict::kHit)));
-}
-
-TEST(FalseNegative, IsAHitOutsideOfTheStep) {
+TEST(FalseNegative, IsAHitAtNoTimeOfTheStep) {
   AnswerTerms terms;
   terms.time_tolerance = 0.25;
-  EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(-1)));
-  EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(-0x1p-1074)));
+  for (const double at : {std::nan(""), HUGE_VAL, -HUGE_VAL, -1.0, -0x1p-1074}) {
+    EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(at))) << at;
+  }
+  EXPECT_TRUE(is_false_negative(falling_point(), with(Verdict::kHit)));
   EXPECT_FALSE(is_false_negative(falling_point(), Answer::hit(-0.0)));
   EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(1.125), terms));
 }
@@ -43,6 +36,17 @@ TEST(FalseNegative, IsAHitOutsideOfTheStep) {
 TEST(FalseNegative, IsNothingThatDoesNotAnswer) {
   EXPECT_FALSE(is_false_negative(falling_point(), with(Verdict::kUndecided)));
   EXPECT_FALSE(is_false_negative(falling_point(), with(Verdict::kRefused)));
+}
+
+TEST(FalseNegative, SaysWhatWasAnsweredAndWhenTheyTouch) {
+  Contact contact = falling_point();
+  contact.t = Dyadic(Integer(3), -2);
+  EXPECT_EQ(is_false_negative(contact, Answer::miss()).why,
+            "answered miss; they touch at t = 0.75 (0x1.8p-1)");
+  contact.t += Dyadic(Integer(1), -60);
+  EXPECT_EQ((!is_false_negative(contact, Answer::hit(1), {.time_tolerance = 0.125})).why,
+            "answered hit at 1 (0x1p+0); they touch at t = 0.75 (0x1.8p-1) to 0.7500000000000001 "
+            "(0x1.8000000000001p-1); a hit may be 0.125 later");
 }
 
 TEST(FalseNegative, FollowsTheTerms) {
