@@ -94,6 +94,14 @@ std::string truth_text(const Case& value) {
   return "nothing is proven of contacts: an answer is all that is wanted";
 }
 
+/// The same in numbers that compare with those of an answer.
+std::string contact_text(const Case& value) {
+  const std::optional<Rational> by = value.truth.contact_by();
+  if (!by || *by > exact(value.query.t_max)) return truth_text(value);
+  const double t = round_up(*by);
+  return fmt::format("they touch by t = {} ({})", t, to_hex(t));
+}
+
 /// What these tests have no place for; nothing if a query has none of it.
 std::optional<std::string> without_place(const Query& query) {
   for (size_t side = 0; side < 2; ++side) {
@@ -194,8 +202,11 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));
   const std::string separation = query.separation > 0 ? ", " + to_hex(query.separation) : "";
   out += fmt::format("  const ccdfuzz_answer answer = ask(a, b, t_max{});\n", separation);
-  out += check_text(framework, "is_answer(answer, t_max)");
   const std::optional<Rational> contact = value.truth.contact_by();
+  out += fmt::format("  {}(answered(answer) + \"; {}\");\n",
+                     framework == TestFramework::kGoogleTest ? "SCOPED_TRACE" : "INFO",
+                     contact_text(value));
+  out += check_text(framework, "is_answer(answer, t_max)");
   if (contact && *contact <= exact(query.t_max)) {
     const std::string excuse = excuse_text(value, *contact);
     out += check_text(framework, "answer.verdict != CCDFUZZ_MISS" + excuse);

@@ -103,12 +103,13 @@ TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
   EXPECT_FALSE(tests.pass("verdict=1")) << "hits what does not touch";
 }
 
-TEST(Export, AsGoogleTestSaysThatAPluginRefusesItsOptions) {
+TEST(Export, AsGoogleTestSaysWhatAPluginAnswersAndThatItRefusesItsOptions) {
   const ExportedTests tests(kReachesTheFace);
+  const std::string claiming = tests.with_plugin(CCDFUZZ_TEST_CLAIMING_PLUGIN);
   const std::string linear = tests.with_plugin(CCDFUZZ_TEST_LINEAR_PLUGIN);
   for (const auto& [options, program, why] :
-       {std::array{std::string("refuse=1"), tests.with_plugin(CCDFUZZ_TEST_CLAIMING_PLUGIN),
-                   std::string("as the options say")},
+       {std::array{std::string("refuse=1"), claiming, std::string("as the options say")},
+        {"verdict=2", claiming, "answered miss; they touch by t = 0.5 (0x1p-1)"},
         {"nonsense", linear, "refuses CCDFUZZ_PLUGIN_OPTIONS=\"nonsense\""}}) {
     const Finished refused = shell("CCDFUZZ_PLUGIN_OPTIONS=" + options + " " + program);
     EXPECT_EQ(refused.code, 1);
@@ -158,10 +159,11 @@ TEST(Export, AsGoogleTestAsksForTrimsOnlyWhatTakesThem) {
 TEST(Export, AsCatch2Compiles) {
   const ScratchFolder folder;
   write_text(folder / "cases.jsonl", kReachesTheFace + kStaysAbove + kTrimmed);
-  // A stand-in for the two macros of Catch2 that are used.
+  // A stand-in for the macros of Catch2 that are used.
   std::filesystem::create_directories(folder / "catch2");
   write_text(folder / "catch2/catch_test_macros.hpp",
              "#define TEST_CASE(name) static void test_case(const char (*)[__LINE__])\n"
+             "#define INFO(text) static_cast<void>(text)\n"
              "#define CHECK(condition) static_cast<void>(condition)\n");
   succeeded(ccdfuzz(
       {"export", folder / "cases.jsonl", "--as", "catch2", "-o", folder / "found_test.cpp"}));
