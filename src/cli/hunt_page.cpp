@@ -37,7 +37,7 @@ std::string reproduction(const std::string& path, const std::map<std::string, Ex
 std::optional<std::string> export_command(const Find& find) {
   for (const EngineTemplate& of : engine_templates()) {
     if (find.failure.who != fmt::format("plugin:{}", of.engine)) continue;
-    if (!engine_test({find.path, find.value}, of.engine)) return std::nullopt;
+    if (!engine_test({find.path, find.value}, of.engine, TestPart::kQuestion)) return std::nullopt;
     const std::string test = std::filesystem::path(find.path).stem().string();
     return fmt::format("{} export {} --as {} -o {}{}", shell_word(program_name()),
                        path_word(find.path), of.engine, shell_word(test), of.ending);

@@ -342,7 +342,7 @@ std::string origin_text(const Origin& origin, double tolerance) {
 
 }  // namespace
 
-Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
+Result<std::string> engine_test(const NamedCase& named, std::string_view name, TestPart part) {
   const auto of_engine =
       std::ranges::find(engine_templates(), name, [](const EngineTemplate& e) { return e.engine; });
   CCDFUZZ_VERIFY(of_engine != engine_templates().end());
@@ -362,29 +362,28 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   if (!is_of_features && !is_of_bodies(value.query)) {
     return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
   }
+  if (!touches && engine.has("touches") && !engine.has("clear")) {
+    return input_error(
+        named.id, fmt::format("{} may be early, so a test of it needs a contact", engine.engine));
+  }
+  const Result<std::string> question =
+      is_of_features ? features_text(named, engine) : bodies_text(named, engine);
+  if (!question || part == TestPart::kQuestion) return question;
   const Query moved = with_velocities(value.query).value_or(value.query);
   const double step = is_of_features ? step_of(moved, engine) : step_of_bodies(moved, engine);
   std::optional<double> latest;
   const double delay = touches ? allowed_delay(value, engine) : 0;
   if (touches) latest = round_up(Rational(*contact / exact(step))) + delay;
-  if (!latest && engine.has("touches") && !engine.has("clear")) {
-    return input_error(
-        named.id, fmt::format("{} may be early, so a test of it needs a contact", engine.engine));
+  std::string proof = origin_text(value.origin, depth_allowed(value.query, engine));
+  const bool starts_in_contact = touches && *contact == 0 && is_of_bodies(value.query);
+  const std::string_view promise = starts_in_contact ? of_engine->overlap : of_engine->promise;
+  if (!promise.empty() && (!engine.has("still promise") || !has_turns(value.query))) {
+    proof = fmt::format("// Promised: {}\n{}", promise, proof);
   }
-  const Result<std::string> asked =
-      is_of_features ? features_text(named, engine) : bodies_text(named, engine);
-  return asked.map([&](const std::string& text) {
-    std::string proof = origin_text(value.origin, depth_allowed(value.query, engine));
-    const bool starts_in_contact = touches && *contact == 0 && is_of_bodies(value.query);
-    const std::string_view promise = starts_in_contact ? of_engine->overlap : of_engine->promise;
-    if (!promise.empty() && (!engine.has("still promise") || !has_turns(value.query))) {
-      proof = fmt::format("// Promised: {}\n{}", promise, proof);
-    }
-    proof += fmt::format("// {}\n", proof_text(value, engine, step, touches));
-    if (delay > 0)
-      proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);
-    return proof + with_checks(engine, text, latest);
-  });
+  proof += fmt::format("// {}\n", proof_text(value, engine, step, touches));
+  if (delay > 0)
+    proof += fmt::format("// The engine's tolerance is allowed: {:.2g} of the way.\n", delay);
+  return proof + with_checks(engine, *question, latest);
 }
 
 }  // namespace ccdfuzz

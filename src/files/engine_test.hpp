@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +43,10 @@ struct EngineTemplate {
 /// As they were when this program was built.
 std::span<const EngineTemplate> engine_templates();
 
+/// How much of a test is made: all, or the query alone, which tells at once whether there is a
+/// test. How late an answer about bodies may be takes up to 0.1 s to find.
+enum class TestPart : std::uint8_t { kAll, kQuestion };
+
 /// A complete test file that asks the engine itself the query of a case, as its adapter does. It
 /// fails where the engine misses the proven contact, is late for it, or reports one where none is
 /// proven. It needs nothing of ccdfuzz. For engines of npm it is a module for Node, for others a
@@ -49,6 +54,7 @@ std::span<const EngineTemplate> engine_templates();
 /// engine_templates(). Errors, naming the case: it is of other shapes than the engine has; neither
 /// a contact within t_max nor its absence is proven. Or nothing touches, and the engine may be
 /// early.
-Result<std::string> engine_test(const NamedCase& named, std::string_view engine);
+Result<std::string> engine_test(const NamedCase& named, std::string_view engine,
+                                TestPart part = TestPart::kAll);
 
 }  // namespace ccdfuzz
