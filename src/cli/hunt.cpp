@@ -310,8 +310,9 @@ void add_hunt(CommandLine& line) {
                   "hunt --methods plugin:./libmine.so --linear --ordinary --corpus mine");
   HuntOptions& hunt = options->hunt;
   command.group("How long");
-  const Option seconds =
-      command.parsed("--seconds SECONDS", hunt.seconds, "How long to hunt", parse_seconds, "60");
+  const Option seconds = command.parsed(
+      "--seconds SECONDS", hunt.seconds,
+      "How long to search. Then counterexamples are minimised, see --shrink", parse_seconds, "60");
   command
       .whole("--cases", hunt.cases,
              "Instead: this many cases of each contact class, each run with every method. The same "

@@ -138,8 +138,21 @@ class Hunt {
     return is_over() ? std::nullopt : schedule_.next();
   }
 
-  bool is_over() const {
-    return stop_ || met_ || (!options_.cases && watch_.seconds() >= options_.seconds);
+  bool is_over() const { return stop_ || met_ || is_late(); }
+  bool is_late() const { return !options_.cases && watch_.seconds() >= options_.seconds; }
+
+  /// The limits of a question that is asked now. A hunt by time ends those to methods of its own
+  /// process with its time. A plug-in may not heed a limit, and is ended by that of its own.
+  SearchOptions search_now(const Method& method) const {
+    SearchOptions search = options_.search;
+    if (options_.cases || method.runs_elsewhere()) return search;
+    search.max_seconds = std::min(search.max_seconds, options_.seconds - watch_.seconds());
+    return search;
+  }
+
+  /// Whether the end of the hunt made it undecided: then it counts as not asked.
+  bool is_cut_off(const Judged& judged) const {
+    return judged.outcome == Outcome::kUndecided && is_late();
   }
 
   /// Whether a turn is to end before its end.
@@ -174,14 +187,17 @@ class Hunt {
     for (const CheckedCase& asked : drawn) {
       if (stops()) break;
       const double begin = clock_of(method);
-      const Judged judged = ask(method, asked, options_.search);
+      const Judged judged = ask(method, asked, search_now(method));
       const double used = clock_of(method) - begin;
       done.cpu_seconds += used;
+      if (is_cut_off(judged)) break;
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
       done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
       note_failure(cell.method, asked.value(), judged, asker, done);
       if (!options_.beside || judged.outcome == Outcome::kNotAsked) continue;
-      const Judged beside = ask(asker.methods()[*options_.beside], asked, options_.search);
+      Method& other = asker.methods()[*options_.beside];
+      const Judged beside = ask(other, asked, search_now(other));
+      if (is_cut_off(beside)) break;
       if (beside.outcome != Outcome::kNotAsked) done.beside.add(beside.answer.seconds);
     }
     if (turn.draw < founders_of(turn.draw + 1)) {
@@ -220,9 +236,10 @@ class Hunt {
     };
     done.bred = !breeder.empty();
     while (done.bred && goes_on()) {
-      breeder.step(asker.methods(), options_.search, [&](const Case& asked, const Judged& judged) {
-        note_failure(cell.method, asked, judged, asker, done);
-      });
+      breeder.step(asker.methods(), search_now(method),
+                   [&](const Case& asked, const Judged& judged) {
+                     note_failure(cell.method, asked, judged, asker, done);
+                   });
     }
     done.cpu_seconds = clock_of(method) - start;
     done.population = breeder.tally();
@@ -285,17 +302,17 @@ class Hunt {
   Result<void> finish() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
                                         : watch_.seconds() + std::max(options_.seconds, 20.0);
-    const auto is_late = [this, until] { return stop_ || watch_.seconds() > until; };
+    const auto is_too_late = [this, until] { return stop_ || watch_.seconds() > until; };
     const auto shrinks = [&](const Failure& failure) {
-      return !is_late() && (options_.shrink == Shrink::kAll ||
-                            (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
+      return !is_too_late() && (options_.shrink == Shrink::kAll ||
+                                (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
     };
     const auto admits = [this](const Case& value) {
       return options_.ground.broken_by(value).empty();
     };
     return intake_.finish({.threads = options_.threads,
                            .shrinks = shrinks,
-                           .minimising = {.stop = is_late, .admits = admits},
+                           .minimising = {.stop = is_too_late, .admits = admits},
                            .methods = options_.methods,
                            .stop = stop_});
   }
