@@ -63,6 +63,8 @@ struct Judged {
   bool in_plane = false;
   double depth_tolerance = 0, time_tolerance = 0;
 };
+/// What `origin` of a find calls these two.
+constexpr const char *kDepthAllowed = "depth_tolerance", *kTimeAllowed = "time_tolerance";
 
 /// How long after the proven contact a hit comes, rounded up. Requires that both are there.
 double delay_of(const CheckedCase& known, const Answer& answer);

@@ -81,10 +81,12 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   Minimised minimised = minimise(found.value, failure, asker,
                                  {options.max_trials, [&] { return interrupted.load(); }});
   const CheckedCase left = checked_or_unknown(minimised.value);
-  const auto depth = !interrupted && is_false_negative(failure.outcome)
-                         ? depth_of(left, asker.ask(options.method, left))
-                         : std::nullopt;
-  say_version(minimised.value, options.method, depth.value_or(0));
+  Judged shrunk;
+  if (!interrupted && is_false_negative(failure.outcome)) {
+    shrunk = asker.ask(options.method, left);
+    shrunk.depth = depth_of(left, shrunk).value_or(0);
+  }
+  say_version(minimised.value, options.method, shrunk);
   if (!interrupted && asker.differs(options.method, left, shown, asker.search())) {
     session.remark("{}: {}", options.method, kAnswersDiffer);
   }

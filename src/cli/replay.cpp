@@ -40,7 +40,6 @@ struct ReplayRow {
   std::string method;
   Expected expected, got;
   Judged judged;
-  double depth;  ///< that of what the answer overlooks (depth_of); 0 where that is not measured
   bool differs;  ///< the method shows something else when it is asked again
 
   Change change() const { return change_of(expected, got); }
@@ -123,9 +122,9 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     Expected got = asker.expected(method, known->value(), judged);
     const bool differs =
         change_of(expected, got) != Change::kNone && asker.differs(method, *known, got, search);
-    const double depth = options.update ? depth_of(*known, judged).value_or(0) : 0;
+    if (options.update) judged.depth = depth_of(*known, judged).value_or(0);
     result.rows.push_back(
-        {entry.id, method, expected, std::move(got), std::move(judged), depth, differs});
+        {entry.id, method, expected, std::move(got), std::move(judged), differs});
   }
   // A method need not answer a query that it does not take.
   if (options.expect) {
@@ -267,7 +266,9 @@ class Replay {
         // What is shown may be as --expect says, and not as the entry does.
         if (row.change() != Change::kNone || options_.expect) now.expect[row.method] = row.got;
         const bool is_right = row.judged.outcome == Outcome::kCorrect;
-        if (row.depth > 0 || is_right) say_depth(now, row.method, row.depth);
+        if (is_right || row.judged.depth > 0) {
+          say_depth(now, row.method, is_right ? Judged() : row.judged);
+        }
         continue;
       }
       session_.remark("{}: {} hangs, by the clock: what the entry expects of it is left as it is",

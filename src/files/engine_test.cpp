@@ -13,6 +13,7 @@
 #include "base/read_double.hpp"
 #include "base/text.hpp"
 #include "base/verify.hpp"
+#include "case/judge.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_turning.hpp"
@@ -94,18 +95,44 @@ double step_of_bodies(const Query& query, const EngineWords& engine) {
   return has_turns(query) && engine.has("turn") ? 1 : query.t_max;
 }
 
+/// A number that `origin` of a find says; 0 where it says none.
+double said_of(const Origin& origin, const char* name) {
+  const auto said = origin.more.find(name);
+  double x = 0;
+  if (said != origin.more.end()) {
+    read_double(said->second.data(), said->second.data() + said->second.size(), x);
+  }
+  return x;
+}
+
+/// What the judge allowed, if the case is a find of the engine: more than its usual tolerance where
+/// its own numbers are rounded far from the origin.
+double allowed_find(const Case& value, const EngineWords& engine, const char* name) {
+  const bool is_of_engine = value.expect.contains(fmt::format("plugin:{}", engine.engine));
+  return is_of_engine ? said_of(value.origin, name) : 0;
+}
+
 /// How deep bodies may come that the engine misses, by its own tolerance; 0 where that is a time.
-double depth_allowed(const Query& query, const EngineWords& engine) {
-  const char* name = has_mesh(query) ? "mesh depth" : has_spins(query) ? "spin depth" : "depth";
-  return engine.number(engine.has(name) ? name : "depth");
+double depth_allowed(const Case& value, const EngineWords& engine) {
+  const char* name = has_mesh(value.query)    ? "mesh depth"
+                     : has_spins(value.query) ? "spin depth"
+                                              : "depth";
+  return std::max(engine.number(engine.has(name) ? name : "depth"),
+                  allowed_find(value, engine, kDepthAllowed));
+}
+
+/// How late the engine may be by its own tolerance, as a part of a step.
+double late_allowed(const Case& value, const EngineWords& engine, double step) {
+  return std::max(engine.number("late"), allowed_find(value, engine, kTimeAllowed) / step);
 }
 
 /// How late an engine may be about bodies in contact at 0, as a part of the way. Answers are judged
 /// by the way or the depth, whichever is within the tolerance for longer (outcome_of).
-double allowed_from_start(const Query& query, const EngineWords& engine) {
+double allowed_from_start(const Case& value, const EngineWords& engine) {
+  const Query& query = value.query;
   const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
-  const double late = engine.number("late") * query.t_max;
-  const double tolerance = depth_allowed(query, engine) + late * velocity.norm();
+  const double late = late_allowed(value, engine, query.t_max) * query.t_max;
+  const double tolerance = depth_allowed(value, engine) + late * velocity.norm();
   // Between these times, of which the first is right and the second may be.
   double right = has_turns(query) ? late : std::min(query.t_max, tolerance / velocity.norm());
   const auto is_right = [&](double until) {
@@ -123,12 +150,12 @@ double allowed_from_start(const Query& query, const EngineWords& engine) {
 /// How much later than the contact the engine may be, as a part of the way. That is its own
 /// tolerance in time, or the time in which bodies come as deep as its tolerance in space allows.
 /// The direction that keeps them apart until the contact tells how fast that is.
-double allowed_delay(const Case& value, const EngineWords& engine) {
+double allowed_delay(const Case& value, const EngineWords& engine, double step) {
   if (is_of_bodies(value.query) && *value.truth.contact_by() == 0) {
-    return allowed_from_start(value.query, engine);
+    return allowed_from_start(value, engine);
   }
-  const double depth = depth_allowed(value.query, engine);
-  if (!(depth > 0)) return engine.number("late");
+  const double depth = depth_allowed(value, engine);
+  if (!(depth > 0)) return late_allowed(value, engine, step);
   const auto& patches = value.query.patches;
   const Vec3<double> way =
       (patches[0].velocities[0] - patches[1].velocities[0]) * value.query.t_max;
@@ -331,13 +358,8 @@ std::string origin_text(const Origin& origin, double tolerance) {
   const bool is_plain =
       std::ranges::all_of(version->second, [](char c) { return ' ' <= c && c <= '~'; });
   if (!is_plain) return "";
-  const auto said = origin.more.find("depth");
-  double depth = 0;
-  if (said != origin.more.end()) {
-    read_double(said->second.data(), said->second.data() + said->second.size(), depth);
-  }
   return fmt::format("// Found with version {}{}.\n", version->second,
-                     depth_text(depth, tolerance));
+                     depth_text(said_of(origin, "depth"), tolerance));
 }
 
 }  // namespace
@@ -372,9 +394,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name, T
   const Query moved = with_velocities(value.query).value_or(value.query);
   const double step = is_of_features ? step_of(moved, engine) : step_of_bodies(moved, engine);
   std::optional<double> latest;
-  const double delay = touches ? allowed_delay(value, engine) : 0;
+  const double delay = touches ? allowed_delay(value, engine, step) : 0;
   if (touches) latest = round_up(Rational(*contact / exact(step))) + delay;
-  std::string proof = origin_text(value.origin, depth_allowed(value.query, engine));
+  std::string proof = origin_text(value.origin, depth_allowed(value, engine));
   const bool starts_in_contact = touches && *contact == 0 && is_of_bodies(value.query);
   const std::string_view promise = starts_in_contact ? of_engine->overlap : of_engine->promise;
   if (!promise.empty() && (!engine.has("still promise") || !has_turns(value.query))) {

@@ -64,18 +64,23 @@ Failure failure_of(const Case& value, const std::string& method, const Expected&
   return {method, outcome, value.origin.contact, cause, setting_of(value)};
 }
 
-void say_version(Case& find, const std::string& method, double depth) {
+void say_version(Case& find, const std::string& method, const Judged& judged) {
   auto& more = find.origin.more;
-  for (const char* name : {"version", "depth"}) more.erase(name);
+  for (const char* name : {"version", "depth", kDepthAllowed, kTimeAllowed}) more.erase(name);
   const auto info = method_info(method);
   if (!info || info->version.empty()) return;
   more["version"] = json_string(info->version);
-  if (depth > 0) more["depth"] = fmt::format("{}", depth);
+  const auto say = [&](const char* name, double x) {
+    if (x > 0) more[name] = fmt::format("{}", x);
+  };
+  say("depth", judged.depth);
+  say(kDepthAllowed, is_of_bodies(find.query) ? judged.depth_tolerance : 0);  // as outcome_of
+  say(kTimeAllowed, judged.time_tolerance);
 }
 
-void say_depth(Case& find, const std::string& method, double depth) {
+void say_depth(Case& find, const std::string& method, const Judged& judged) {
   Case said = find;
-  say_version(said, method, depth);
+  say_version(said, method, judged);
   auto &before = find.origin.more, &now = said.origin.more;
   if (before.contains("version") && now["version"] == before["version"]) {
     find = std::move(said);

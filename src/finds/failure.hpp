@@ -39,14 +39,13 @@ struct Failure {
 /// The failure that an expectation of a case states. Requires is_failure(expected.outcome).
 Failure failure_of(const Case& value, const std::string& method, const Expected& expected);
 
-/// Makes origin.version of a find what the method says of its version, and origin.depth the depth
-/// of the failure, where that is above 0. It is for plug-ins that say their version; others say
-/// neither.
-void say_version(Case& find, const std::string& method, double depth = 0);
+/// Makes origin.version of a find what the method says of its version. Its depth and what the judge
+/// allows, where they are above 0, become origin.depth, depth_tolerance (of bodies alone) and
+/// time_tolerance. It is for plug-ins that say their version; others say nothing.
+void say_version(Case& find, const std::string& method, const Judged& judged = {});
 
-/// Makes origin.depth of a find this depth, or removes it where that is 0, if origin.version is
-/// what the method says.
-void say_depth(Case& find, const std::string& method, double depth);
+/// The same, if origin.version is what the method says.
+void say_depth(Case& find, const std::string& method, const Judged& judged);
 
 /// The failures that a case expects, method by method.
 std::vector<Failure> failures_of(const Case& value);

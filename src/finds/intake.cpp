@@ -203,9 +203,9 @@ Result<void> Intake::finish(const Finish& how) {
         }
         const CheckedCase known = checked_or_unknown(find.value);
         if (is_false_negative(failure.outcome)) {
-          const Judged judged = asker.ask(failure.who, known);
-          find.depth = depth_of(known, judged).value_or(0);
-          say_version(find.value, failure.who, find.depth);
+          Judged judged = asker.ask(failure.who, known);
+          find.depth = judged.depth = depth_of(known, judged).value_or(0);
+          say_version(find.value, failure.who, judged);
           find.late_by = judged.late_by;
           find.depth_tolerance = judged.depth_tolerance;
         }

@@ -51,6 +51,16 @@ TEST(EngineTest, AllowsBodiesThatTurnToComeAsDeepAsTheToleranceIs) {
       << "3/7 + 0.00625 / (24 · 98/25)";
 }
 
+TEST(EngineTest, AllowsAFindOfTheEngineWhatItsJudgeAllowed) {
+  NamedCase named = falling_ball();
+  named.value.expect = {{"plugin:rapier", Outcome::kLate}, {"plugin:fcl-bodies", Outcome::kLate}};
+  named.value.origin.more = {{"depth_tolerance", "0.25"}, {"time_tolerance", "0.125"}};
+  EXPECT_THAT(*engine_test(named, "rapier"), testing::HasSubstr("share <= 1.25,"));
+  EXPECT_THAT(*engine_test(named, "jolt"), testing::HasSubstr("share <= 1.0001,"));
+  named.value.origin.more.erase("depth_tolerance");
+  EXPECT_THAT(*engine_test(named, "fcl-bodies"), testing::HasSubstr("EXPECT_LE(share, 1.125);"));
+}
+
 /// How many lines a test has before the one that asks the engine, without comments. A name says in
 /// its template how that begins; nothing if the test has no such line.
 std::optional<long> lines_before_call(const std::string& text, std::string_view of) {
@@ -166,8 +176,7 @@ TEST(EngineTest, SaysWhereAndWhenFeaturesTouchOrThatTheyDoNot) {
   Query& query = named.value.query;
   query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.25}}, {}};
   query.patches[0].ends = {{0.25, 0.25, -0.75}};
-  query.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3)};
-  for (Vec3<double>& v : query.patches[1].velocities) v = {0, 0, 0};
+  query.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})};
   query.t_max = 0.5;
   named.value.truth.witness = Witness{Rational(1, 4), {}};
   EXPECT_THAT(*engine_test(named, "fcl"), testing::HasSubstr("At 1/2 of the way"));

@@ -167,7 +167,7 @@ TEST(Change, IsARegressionIffItIsWorse) {
 
 TEST(Find, SaysNoVersionOrDepthOfAnotherMethod) {
   Case find;
-  find.origin.more = {{"version", "\"9.9\""}, {"depth", "1"}};
+  find.origin.more = {{"version", "\"9.9\""}, {"depth", "1"}, {"depth_tolerance", "1"}};
   say_version(find, "tdibm");
   EXPECT_TRUE(find.origin.more.empty());
 }
