@@ -80,7 +80,7 @@ const rounding = (far, bits) => 3 * Math.sqrt(3) * 2 ** (far - bits);
 /// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
 /// those that it has shapes for; `plane`: they are in the plane z = 0. It may have doubles for
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
-/// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
+/// exactly, and be degenerate. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
 /// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
 /// the second then. A `meshTolerance` is for what the engine rounds of meshes. With `overlap=1` it is
 /// asked about bodies that touch or overlap at the start, too, if `overlap` says what it promises of
@@ -106,7 +106,7 @@ export async function serve(adapter, cast) {
       ? { protocol: 1, name, version, promise: (turning ? spins : promise) + (overlaps ? `; ${overlap}` : ''), accepts: [[hull, hull]],
           takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
-          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: true,
+          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : isFar ? far : 7, ordinary: !any,
           initial_overlap: overlaps, closed_t_max: false, contact_at_zero: overlaps, tolerance_kind: 'space',
           tolerance: (meshes ? meshTolerance : tolerance) + (isFar ? rounding(far, numbers === 'binary32' ? 24 : 53) : 0) }
       : { id: asked.id, ...answer(asked, { plane, numbers, most }, cast) };

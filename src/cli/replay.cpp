@@ -123,8 +123,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     const bool differs =
         change_of(expected, got) != Change::kNone && asker.differs(method, *known, got, search);
     if (options.update) judged.depth = depth_of(*known, judged).value_or(0);
-    result.rows.push_back(
-        {entry.id, method, expected, std::move(got), std::move(judged), differs});
+    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged), differs});
   }
   // A method need not answer a query that it does not take.
   if (options.expect) {

@@ -105,8 +105,8 @@ double said_of(const Origin& origin, const char* name) {
   return x;
 }
 
-/// What the judge allowed, if the case is a find of the engine: more than its usual tolerance where
-/// its own numbers are rounded far from the origin.
+/// What the judge allowed, if the case is a find of the engine. Far from the origin that is more
+/// than its usual tolerance.
 double allowed_find(const Case& value, const EngineWords& engine, const char* name) {
   const bool is_of_engine = value.expect.contains(fmt::format("plugin:{}", engine.engine));
   return is_of_engine ? said_of(value.origin, name) : 0;

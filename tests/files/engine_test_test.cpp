@@ -176,7 +176,8 @@ TEST(EngineTest, SaysWhereAndWhenFeaturesTouchOrThatTheyDoNot) {
   Query& query = named.value.query;
   query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.25}}, {}};
   query.patches[0].ends = {{0.25, 0.25, -0.75}};
-  query.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})};
   query.t_max = 0.5;
   named.value.truth.witness = Witness{Rational(1, 4), {}};
   EXPECT_THAT(*engine_test(named, "fcl"), testing::HasSubstr("At 1/2 of the way"));

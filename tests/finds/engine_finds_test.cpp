@@ -58,8 +58,7 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
 /// Reading a case checks its proof.
 TEST(ReportedCases, AreProvenAndNameTheirThreadAndVersions) {
   int count = 0;
-  for (const auto& file :
-       fs::recursive_directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
+  for (const auto& file : fs::recursive_directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
     if (file.path().parent_path().filename() != "reported") continue;
     const Result<NamedCase> read = read_checked_case(file.path());
     ASSERT_TRUE(read) << file.path();
