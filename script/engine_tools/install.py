@@ -37,6 +37,7 @@ TAKES = {
     "bullet": "mesh=1:spins=1",
     "box2d": "turns=1",
     "box3d": "turns=1",
+    "tight-inclusion": "all=1:any-numbers=1",
 }
 # A folder with a folder of sources for each of the last ones, where --source names none.
 SOURCES = os.environ.get("CCDFUZZ_ENGINE_SOURCES")

@@ -37,7 +37,7 @@ def main():
     assert said(same, row("missed-VF", "not_asked", "improvement", note="takes no meshes")) == (
         "fcl: 1 of 2 kept finds answer as kept; missed-VF could not be asked: takes no meshes", False)
     assert said(of_others) == ("fcl: none of its kept finds could be asked", False)
-    assert engines.replay_kept("tight-inclusion", "plugin:none", None) == ("", True)  # it has no finds
+    assert engines.replay_kept("ipc-toolkit", "plugin:none", None) == ("", True)  # it has no finds
 
     # Of two versions, which find fails in which. The stand-in answers as its plug-in is called.
     (folder / "find.json").touch()

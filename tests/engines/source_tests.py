@@ -38,7 +38,7 @@ def main():
         own = folder / name
         own.mkdir(parents=True, exist_ok=True)
         for find in sorted((ROOT / "corpus/engines" / name).glob("*.json")):
-            test = own / f"{find.stem}.c"
+            test = own / f"{find.stem}.{'c' if name.startswith('box') else 'cpp'}"
             subprocess.run([ccdfuzz, "export", find, "--as", name, "-o", test], check=True)
             assert not is_passing(name, trees / name, test, own / "build"), test
         for case in ENGINES[name]:

@@ -30,6 +30,7 @@ size_t most_bits(const Query& query) {
 TEST(EngineFinds, AreRegularAndOfFewDigits) {
   const std::vector<fs::path> overlapping{"fcl-bodies", "jolt", "physx", "rapier", "rapier2d"};
   for (const auto& engine : fs::directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
+    if (engine.path().filename() == "tight-inclusion") continue;  // whose finds are of rounding
     std::vector<size_t> bits;
     double regular = 0;
     for (const auto& file : fs::directory_iterator(engine)) {

@@ -1,5 +1,6 @@
 // ipc-toolkit: its additive CCD. A query is given to it exactly, or refused. Options: rescaling=0.9
-// (conservative_rescaling), max-iterations=-1 (no limit), any-numbers=1 (else floats near 1).
+// (conservative_rescaling), max-iterations=-1 (no limit), any-numbers=1 (else floats near 1). With
+// all=1 it is asked about grazes, degenerate features and contacts at the end of the step, too.
 #include <ipc/ccd/additive_ccd.hpp>
 #include <ipc/utils/logger.hpp>
 
@@ -12,13 +13,16 @@ struct IpcToolkit {
     method.conservative_rescaling = options.number("rescaling", method.conservative_rescaling);
     method.max_iterations = static_cast<long>(options.number("max-iterations", -1));
     any_numbers = options.number("any-numbers", 0) != 0;
+    all = options.number("all", 0) != 0;
     options.check_all_known();
     ipc::logger().set_level(spdlog::level::off);  // it warns on stdout
   }
 
   ccd::Description describe() const {
     ccd::Description d{"ipc-toolkit, AdditiveCCD", ENGINE_VERSION};
-    d.claims |= CCDFUZZ_ORDINARY | CCDFUZZ_TAKES_ENDS | CCDFUZZ_TAKES_SEPARATION;
+    d.claims |= CCDFUZZ_TAKES_ENDS | CCDFUZZ_TAKES_SEPARATION;
+    if (!all) d.claims |= CCDFUZZ_ORDINARY;
+    if (all) d.claims &= ~CCDFUZZ_CONTACT_AT_ZERO;  // of that distance it may see a rounded one
     if (!any_numbers) d.claims |= CCDFUZZ_BINARY32;
     if (!any_numbers) d.within = 7;  // then a float and a float times 2^n have a double as sum
     d.pairs = ccd::linear_pairs();
@@ -61,7 +65,7 @@ struct IpcToolkit {
   }
 
   adapter::Options options;
-  bool any_numbers = false;
+  bool any_numbers = false, all = false;
   ipc::AdditiveCCD method;
 };
 

@@ -1,6 +1,8 @@
 // Tight-Inclusion: its vertex-face and edge-edge tests, which are conservative. A query is given to
 // it exactly, or refused. Options: tolerance=1e-6 (in space), max-iterations=1000000 (-1: no
-// limit), any-numbers=1 (else floats near 1).
+// limit), any-numbers=1 (else floats near 1). With all=1 it is asked about grazes, degenerate
+// features and contacts at an end of the step, too, but about no separation. It promises to report
+// what comes nearer, and not what comes as near.
 #include <tight_inclusion/ccd.hpp>
 
 #include "../../plugins/adapter.hpp"
@@ -12,13 +14,14 @@ struct TightInclusion {
     tolerance = options.number("tolerance", 1e-6);
     max_iterations = static_cast<long>(options.number("max-iterations", 1e6));
     any_numbers = options.number("any-numbers", 0) != 0;
+    all = options.number("all", 0) != 0;
     options.check_all_known();
   }
 
   ccd::Description describe() const {
     ccd::Description d{"Tight-Inclusion", ENGINE_VERSION};
-    d.claims |=
-        CCDFUZZ_CONSERVATIVE | CCDFUZZ_ORDINARY | CCDFUZZ_TAKES_ENDS | CCDFUZZ_TAKES_SEPARATION;
+    d.claims |= CCDFUZZ_CONSERVATIVE | CCDFUZZ_TAKES_ENDS;  // both ends of the step are in it
+    if (!all) d.claims |= CCDFUZZ_ORDINARY | CCDFUZZ_TAKES_SEPARATION;
     if (!any_numbers) d.claims |= CCDFUZZ_BINARY32;
     if (!any_numbers) d.within = 7;  // then a float and a float times 2^n have a double as sum
     d.pairs = ccd::linear_pairs();
@@ -51,7 +54,7 @@ struct TightInclusion {
       static_cast<decltype(&ticcd::edgeEdgeCCD)>(&ticcd::vertexFaceCCD);
   static constexpr auto kEdgeEdge = &ticcd::edgeEdgeCCD;
   adapter::Options options;
-  bool any_numbers = false;
+  bool any_numbers = false, all = false;
   double tolerance = 1e-6;
   long max_iterations = 1000000;
 };
