@@ -48,10 +48,14 @@ Result<std::vector<double>> parse_horizons(const std::string& where, const std::
   return factors;
 }
 
-/// Reads the files once, to know which cases they hold. Errors: of reading; a file that cannot be
-/// read twice.
-Result<RunHeader> header_of(const std::vector<std::string>& files, const Session& session) {
+/// Reads the files once, to know which cases they hold. Another build of a plug-in is another run.
+/// Errors: of reading; a file that cannot be read twice.
+Result<RunHeader> header_of(const std::vector<std::string>& files,
+                            const std::vector<std::string>& methods, const Session& session) {
   RunHeader header{"evaluate", CCDFUZZ_VERSION, files, session.asked, 0, {}};
+  for (const std::string& method : methods) {
+    if (const std::string build = build_of(method); !build.empty()) header.asked[method] = build;
+  }
   for (const std::string& file : files) {
     CCDFUZZ_TRY_VOID(refuse_irregular(file));
   }
@@ -119,7 +123,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   std::optional<RunLines> earlier;
   const std::string answers = answers_path(arguments.folder);
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
-    RunHeader header = need(header_of(files, session));
+    RunHeader header = need(header_of(files, options.methods, session));
     options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
     header.shard = options.shard;
     if (!arguments.folder.empty()) {

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "base/stopwatch.hpp"
+#include "io/hash_name.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
@@ -276,6 +279,16 @@ Result<void> name_plugin(const std::string& name, const std::string& spec) {
 std::string spec_behind(const std::string& method) {
   const auto known = know_plugin(method);
   return known ? (*known)->behind : "";
+}
+
+std::string build_of(const std::string& method) {
+  const auto known = know_plugin(method);
+  if (!known) return "";
+  const auto& [spec, description, program, is_ours, behind] = **known;
+  std::ostringstream bytes;
+  bytes << description.line << '\n' << spec.options << '\n' << std::ifstream(spec.path).rdbuf();
+  return fmt::format("{}{}({})", description.version, description.version.empty() ? "" : " ",
+                     hash_name(bytes.str()));
 }
 
 bool is_admitted(const std::string& spec) {
