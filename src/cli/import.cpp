@@ -39,7 +39,7 @@ struct ImportedRow {
 };
 
 ImportedRow imported(NamedCase& named) {
-  decide_rows(named);
+  decide_unknown(named);
   const CsvQuery& rows = *named.rows;
   const auto& more = named.value.origin.more;
   const auto rounded = more.find("rounded");

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "case/mesh.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -45,13 +46,14 @@ Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ord
   return *depth <= round_down(most) ? Outcome::kCorrect : outcome;
 }
 
-void decide_rows(NamedCase& named) {
-  if (!named.rows || named.rows->layout == CsvLayout::kCurved) return;
-  named.value.truth = decide(named.value.query).truth;
+void decide_unknown(NamedCase& named) {
+  const Query& query = named.value.query;
+  const bool is_exact = is_of_bodies(query) || (is_linear_query(query) && !is_trimmed(query));
+  if (is_exact && named.value.truth == Truth()) named.value.truth = decide(query).truth;
 }
 
 Result<CheckedCase> decided_and_checked(NamedCase& named) {
-  decide_rows(named);
+  decide_unknown(named);
   return check_case(named);
 }
 

@@ -7,9 +7,10 @@ namespace ccdfuzz {
 
 struct NamedCase;
 
-/// Gives a linear query of a CSV its exact truth with certificates (decide). Every other case stays
-/// as it is.
-void decide_rows(NamedCase& named);
+/// Gives a case that says nothing of its truth what is decided exactly, with certificates (decide):
+/// that of a linear query, as all of CSVs are but the curved ones, or of bodies. Every other case
+/// stays as it is.
+void decide_unknown(NamedCase& named);
 /// The same, and then as check_case.
 Result<CheckedCase> decided_and_checked(NamedCase& named);
 
