@@ -304,7 +304,7 @@ int run_check(const CheckArguments& options, Session& session) {
   const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
   if (!options.save.empty()) need(make_writable_folder(options.save));
   Table table = check_table(chosen);
-  std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0;
+  std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0, checked = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   const bool starts_plugins = std::ranges::any_of(options.methods, names_plugin);
   ClaimChildren children([&] { return ServedClaims(&interrupted, starts_plugins); });
@@ -315,6 +315,7 @@ int run_check(const CheckArguments& options, Session& session) {
     ++done;
     session.progress().show(static_cast<double>(done) / static_cast<double>(chosen.size()),
                             std::string(property.name), done, "properties");
+    checked += check.checked().tally.checked - check.checked().tally.discarded;
     findings += check.checked().is_finding() ? 1 : 0;
     expected += check.checked().known_false() && check.checked().tally.failed > 0 ? 1 : 0;
     unchecked += check.checked().tally.all_discarded() ? 1 : 0;
@@ -331,10 +332,10 @@ int run_check(const CheckArguments& options, Session& session) {
                " checked nothing: all inputs were discarded\n";
   }
   session.summary(
-      summary + fmt::format("{}, inputs from {} of seed {}: {} failed{}",
-                            counted(done, "property", "properties"), inputs.first, inputs.seed,
-                            findings,
-                            expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
+      summary +
+      fmt::format("{}, {} from {} of seed {}: {} failed{}", counted(done, "property", "properties"),
+                  counted(checked, "input", "inputs"), inputs.first, inputs.seed, findings,
+                  expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
   if (interrupted) {
     session.remark("interrupted: {} of {} properties begun", done, chosen.size());
     return interrupted_exit_code();

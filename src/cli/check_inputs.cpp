@@ -18,7 +18,8 @@ constexpr double kShortRound = 0.1;
 /// Questions between two looks at the clock, for each thread.
 constexpr std::uint64_t kRangesEach = 4;
 
-/// A property whose time is over is given up after this many inputs, if all were discarded.
+/// A property whose time is over, or one of a method, is given up after this many inputs, if all
+/// were discarded.
 constexpr std::uint64_t kDiscardedInVain = 1000;
 
 }  // namespace
@@ -28,14 +29,22 @@ CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
                         const std::function<void(const CheckTally&)>& on_failure) {
   CheckTally tally;
   const Stopwatch watch;
-  const std::uint64_t limit = inputs.seconds ? ~std::uint64_t{0} - inputs.first : inputs.count;
+  std::uint64_t limit = inputs.seconds ? ~std::uint64_t{0} - inputs.first : inputs.count;
+  const auto is_vain = [&] {
+    return tally.discarded == tally.checked && tally.checked < kDiscardedInVain;
+  };
   const auto in_time = [&] {
-    return !inputs.seconds || tally.seconds < *inputs.seconds ||
-           (tally.discarded == tally.checked && tally.checked < kDiscardedInVain);
+    return !inputs.seconds || tally.seconds < *inputs.seconds || is_vain();
+  };
+  const auto has_more = [&] {
+    const bool is_of_method = !property.method.empty();
+    if (tally.checked == limit && is_of_method && is_vain()) {
+      limit = std::min(2 * limit, kDiscardedInVain);
+    }
+    return tally.checked < limit && in_time();
   };
   const auto ranges = static_cast<std::uint64_t>(inputs.threads) * kRangesEach;
-  for (std::uint64_t range = 1;
-       tally.checked < limit && !tally.is_cut_short && !stop && in_time();) {
+  for (std::uint64_t range = 1; has_more() && !tally.is_cut_short && !stop;) {
     const double before = tally.seconds;
     const std::uint64_t from = tally.checked;
     const std::uint64_t here = std::min(ranges * range, limit - from);

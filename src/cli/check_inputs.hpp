@@ -17,7 +17,8 @@ struct CheckedInputs {
   std::uint64_t seed = 1;
   std::uint64_t first = 0;
   std::uint64_t count = 1000;
-  /// Instead of count: for so long, and until one input was not discarded or 1000 were.
+  /// Instead of count: for so long. Then, and about a method, until one input was not discarded, or
+  /// 1000 were.
   std::optional<double> seconds;
   int threads = 1;
 };
