@@ -87,7 +87,7 @@ std::map<std::string, Expected> expectations(const Case& entry, const ReplayOpti
   }
   if (!options.expect) return wanted;
   for (const std::string& method : options.methods) wanted[method];
-  // Of a query that nobody has decided, no answer is known to be correct.
+  // No answer about a query that nobody has decided is known to be correct.
   const bool is_unknown = *options.expect == Outcome::kCorrect && !entry.truth.collides;
   for (auto& [method, expected] : wanted)
     expected = is_unknown ? Outcome::kUnknown : *options.expect;

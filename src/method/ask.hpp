@@ -7,9 +7,9 @@ namespace ccdfuzz {
 
 struct NamedCase;
 
-/// Gives a case that says nothing of its truth what is decided exactly, with certificates (decide):
-/// that of a linear query, as all of CSVs are but the curved ones, or of bodies. Every other case
-/// stays as it is.
+/// Gives a case that says nothing of its truth what is decided exactly, with certificates (decide).
+/// This is for linear queries, as those of CSVs are but the curved ones, and for bodies. Every
+/// other case stays as it is.
 void decide_unknown(NamedCase& named);
 /// The same, and then as check_case.
 Result<CheckedCase> decided_and_checked(NamedCase& named);

@@ -123,8 +123,8 @@ Result<void> name_plugin(const std::string& name, const std::string& spec);
 /// The spec of a plug-in that has a name (name_plugin); empty for any other method.
 std::string spec_behind(const std::string& method);
 
-/// What tells a plug-in from another that its name may stand for: the version that it says, and a
-/// hash of all that it says of itself, of its options and of its file. Empty for built-in methods.
+/// What tells a plug-in from another that its name may stand for: its version, and a hash of its
+/// claims, its options and its file. Empty for built-in methods.
 std::string build_of(const std::string& method);
 
 /// True iff make_method may make it: a built-in method, or a plug-in that was admitted.
