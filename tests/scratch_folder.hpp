@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -45,6 +46,14 @@ inline void write_text(const std::string& path, const std::string& text) {
 inline std::string read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Waits until what another process does holds, for ten minutes at most; whether it does.
+template <class Condition>
+bool comes_to_hold(const Condition& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
+  while (!holds() && std::chrono::steady_clock::now() < end) ::usleep(1000);
+  return holds();
 }
 
 }  // namespace ccdfuzz

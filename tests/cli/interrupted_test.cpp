@@ -69,10 +69,10 @@ std::string many_queries(int count) {
   return text;
 }
 
-/// What the command leaves that is interrupted when it has read a part of a file.
+/// What the command leaves that is interrupted when it has read as much as a part of a file.
 Finished interrupted(const std::vector<std::string>& command, const std::string& path) {
   Process process(command);
-  process.wait_until([&] { return process.read_of(path) >= size_or_zero(path) / 16; });
+  process.wait_until([&] { return process.bytes_read() >= size_or_zero(path) / 16; });
   return process.ended_by(SIGINT);
 }
 

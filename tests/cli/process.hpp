@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "comes_to_hold.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {
@@ -74,20 +73,13 @@ class Process {
     EXPECT_TRUE(comes_to_hold([&] { return holds() || is_over(); })) << command_;
   }
 
-  /// How much of a file it has read, by its descriptor of it; 0 without one.
-  std::uintmax_t read_of(const std::string& path) const {
-    const std::string process = fmt::format("/proc/{}/", pid_);
-    std::error_code none;
-    for (std::filesystem::directory_iterator it(process + "fd", none), end; !none && it != end;
-         it.increment(none)) {
-      if (std::filesystem::read_symlink(it->path(), none) != path) continue;
-      std::istringstream info(read_text(process + "fdinfo/" + it->path().filename().string()));
-      std::string name;
-      std::uintmax_t position = 0;
-      info >> name >> position;
-      return position;
-    }
-    return 0;
+  /// How many bytes it has read.
+  std::uintmax_t bytes_read() const {
+    std::istringstream counts(read_text(fmt::format("/proc/{}/io", pid_)));
+    std::string name;
+    std::uintmax_t bytes = 0;
+    counts >> name >> bytes;
+    return bytes;
   }
 
   Finished wait() {

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "admitted.hpp"
-#include "comes_to_hold.hpp"
 #include "meeting_points.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
