@@ -116,12 +116,13 @@ std::strong_ordering compare(RealRoot& a, RealRoot& b) {
 
 std::vector<RealRoot> roots_in(const Polynomial& p, const Rational& from, const Rational& to) {
   std::vector<RealRoot> roots;
-  if (p.sign_at(from) == 0) roots.emplace_back(from);
+  const auto take = [&p](const Rational& end) { return p.sign_at(end) == 0; };
+  if (take(from)) roots.emplace_back(from);
   if (from == to) return roots;
   const Polynomial simple = squarefree(p);
   const PolynomialPart part(simple, from, to);
   isolate(simple, part, from, to, roots);
-  if (part.sign_at_hi() == 0) roots.emplace_back(to);
+  if (take(to)) roots.emplace_back(to);
   return roots;
 }
 
