@@ -59,8 +59,9 @@ std::string loops_text(const std::string& letter, const Trim& trim) {
 }
 
 std::string check_text(TestFramework framework, const std::string& condition) {
-  return fmt::format("  {}({});\n",
-                     framework == TestFramework::kGoogleTest ? "EXPECT_TRUE" : "CHECK", condition);
+  // Without its own parentheses Catch2 takes a condition apart, and refuses "||".
+  return framework == TestFramework::kGoogleTest ? fmt::format("  EXPECT_TRUE({});\n", condition)
+                                                 : fmt::format("  CHECK(({}));\n", condition);
 }
 
 /// Letters, digits and '_' of the file's name.

@@ -158,13 +158,16 @@ TEST(Export, AsGoogleTestAsksForTrimsOnlyWhatTakesThem) {
 
 TEST(Export, AsCatch2Compiles) {
   const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", kReachesTheFace + kStaysAbove + kTrimmed);
-  // A stand-in for the macros of Catch2 that are used.
+  write_text(folder / "cases.jsonl", kReachesTheFace + kStaysAbove + kBallOntoBall + kTrimmed);
+  // A stand-in for the macros of Catch2 that are used. It refuses "||" and chains as Catch2 does.
   std::filesystem::create_directories(folder / "catch2");
   write_text(folder / "catch2/catch_test_macros.hpp",
              "#define TEST_CASE(name) static void test_case(const char (*)[__LINE__])\n"
              "#define INFO(text) static_cast<void>(text)\n"
-             "#define CHECK(condition) static_cast<void>(condition)\n");
+             "struct Compared {};\n"
+             "struct Left { template <class T> Compared operator!=(const T&) const; };\n"
+             "struct Begin { template <class T> Left operator<=(const T&) const; };\n"
+             "#define CHECK(condition) static_cast<void>(Begin() <= condition)\n");
   succeeded(ccdfuzz(
       {"export", folder / "cases.jsonl", "--as", "catch2", "-o", folder / "found_test.cpp"}));
   succeeded(shell(
