@@ -146,7 +146,14 @@ void check_terms_of_time(Draw& d) {
   show(d, "kept_separation", terms.kept_separation);
   show(d, "case", asked);
   const Answer answer = hit ? Answer::hit(toi) : Answer::miss();
-  claim_judged(d, checked_or_unknown(asked), answer, expected, terms);
+  const CheckedCase known = checked_or_unknown(asked);
+  claim_judged(d, known, answer, expected, terms);
+  if (expected != Outcome::kLate) return;
+  Rational since = exact(contact);
+  if (too_near) since -= exact(terms.kept_separation) / exact(5 * size);
+  const double late_by = show(d, "late_by", delay_of(known, answer, terms));
+  CLAIM(exact(late_by) >= exact(toi) - std::max(since, Rational(0)));
+  CLAIM(late_by <= toi);
 }
 
 /// A point that passes a line at five times a power of two.
@@ -297,7 +304,7 @@ std::vector<Property> judge_claims() {
        kSource, check_judge},
       {"judge.keeps_to_terms_of_time",
        "Ends of time, tolerances in time and a separation that is kept count as a method says, to "
-       "the last bit",
+       "the last bit; a late hit is no later than is said, nor than its time",
        kSource, check_terms_of_time},
       {"judge.keeps_to_terms_of_space",
        "A hit is false iff it is off by more than the tolerance in space, to the last bit, and "

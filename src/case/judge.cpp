@@ -1,6 +1,8 @@
 #include "case/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/double_parts.hpp"
 #include "base/verify.hpp"
@@ -9,6 +11,7 @@
 #include "bezier/trim_region.hpp"
 #include "case/mesh.hpp"
 #include "numeric/exact_scalars.hpp"
+#include "numeric/next_double.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
@@ -145,19 +148,29 @@ bool are_far(const Query&, const Other&, const Rational&, double) {
   return false;
 }
 
-/// Whether the patches are proven to come nearer than the separation that is kept, before a time.
-/// The points of the witness prove it: their distance falls linearly, to 0 at the witness's time.
-bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
-  if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
-  const Query& query = known.query();
-  if (compare(query.separation, 0) > 0 || is_of_bodies(query)) return false;
-  const Witness& witness = *known.witness();
-  const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
-  if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
-  return squared_distance(query, witness.uv, std::min(before, witness.t)) < squared;
+}  // namespace
+
+std::optional<Approach> approach_of(const Case& value) {
+  const std::optional<Witness>& witness = value.truth.witness;
+  if (!witness || compare(value.query.separation, 0) > 0 || is_of_bodies(value.query)) return {};
+  return Approach{squared_distance(value.query, witness->uv, 0), witness->t};
 }
 
-}  // namespace
+std::optional<Rational> nearer_since(const CheckedCase& known, const AnswerTerms& terms,
+                                     const Rational& before) {
+  if (compare(terms.kept_separation, 0) == 0 || before == 0) return std::nullopt;
+  const std::optional<Approach> approach = approach_of(known.value());
+  if (!approach) return std::nullopt;
+  const auto& [squared, until] = *approach;
+  const Rational kept = exact(terms.kept_separation) * exact(terms.kept_separation);
+  if (squared < kept) return terms.contact_at_zero ? std::optional<Rational>(0) : std::nullopt;
+  const Rational left = before < until ? Rational(1 - before / until) : Rational(0);
+  if (left * left * squared >= kept) return std::nullopt;
+  // The root, at least: that of a double that is normal is off by less than one step.
+  const double share =
+      std::sqrt(std::max(round_up(kept / squared), std::numeric_limits<double>::min()));
+  return std::max(Rational(0), Rational(until * (1 - exact(next_up(share)))));
+}
 
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
   const Query& query = known.query();
@@ -165,7 +178,7 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;
-  if (comes_nearer(known, terms, exact(hit ? *answer.toi : query.t_max))) {
+  if (nearer_since(known, terms, exact(hit ? *answer.toi : query.t_max))) {
     return hit ? Outcome::kLate : Outcome::kMissed;
   }
   if (const auto contact = binding_contact(known, hit, terms)) {
@@ -196,8 +209,10 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   return Outcome::kFalsePositive;
 }
 
-double delay_of(const CheckedCase& known, const Answer& answer) {
-  return round_up(exact(*answer.toi) - *known.contact_by());
+double delay_of(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
+  const Rational toi = exact(*answer.toi);
+  const std::optional<Rational> nearer = nearer_since(known, terms, toi);
+  return round_up(toi - (nearer ? *nearer : *known.contact_by()));
 }
 
 Case with_t_max(const Case& value, double t_max) {

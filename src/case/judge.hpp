@@ -47,6 +47,22 @@ struct AnswerTerms {
 /// The contact counts first.
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms = {});
 
+/// How patches come to touch: the distance of the two points of a witness falls linearly, from the
+/// root of `squared` at t = 0 to 0 at `until`.
+struct Approach {
+  Rational squared;
+  Rational until;
+};
+
+/// That of a case whose witness is proven. Nothing without a witness, of bodies, or if the query
+/// has a separation.
+std::optional<Approach> approach_of(const Case& value);
+
+/// The time since when patches are proven nearer than the separation that is kept, rounded down.
+/// Nothing if they do not come so near before a time, or if that does not count.
+std::optional<Rational> nearer_since(const CheckedCase& known, const AnswerTerms& terms,
+                                     const Rational& before);
+
 /// An answer and how it stands against its truth.
 struct Judged {
   Answer answer;
@@ -54,7 +70,7 @@ struct Judged {
   /// For an error: its kind, such as "hang". Without a name from the method it is "exception" or
   /// "nonsense".
   std::string error;
-  /// For a late hit: how long after the proven contact it comes, rounded up.
+  /// For a late hit: as of delay_of.
   double late_by = 0;
   /// For a miss or late hit of bodies or linear patches, where it was asked for. It is how deep
   /// they pass through each other in the time that is overlooked, at least.
@@ -66,8 +82,9 @@ struct Judged {
 /// What `origin` of a find calls these two.
 constexpr const char *kDepthAllowed = "depth_tolerance", *kTimeAllowed = "time_tolerance";
 
-/// How long after the proven contact a hit comes, rounded up. Requires that both are there.
-double delay_of(const CheckedCase& known, const Answer& answer);
+/// How long after the proven contact a late hit comes, rounded up. It is later than 0. Where the
+/// patches came nearer than the separation that is kept, this counts from then.
+double delay_of(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms);
 
 /// The same two patches asked up to another t_max ≥ 0, with what its truth then still says. Absence
 /// of contact holds for a shorter time but says nothing of a longer one. A contact is proven only

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/text.hpp"
+#include "case/judge.hpp"
 #include "case/scale.hpp"
 #include "files/engine_words.hpp"
 #include "numeric/products.hpp"
@@ -143,6 +144,19 @@ std::string excuse_text(const Case& value, const Rational& contact) {
                            to_hex(speed), to_hex(round_down(since)), to_hex(largest));
 }
 
+/// The check of the separation that a plug-in may claim, of patches that are proven to touch at
+/// some time. None if that is at 0, or where doubles cannot say it.
+std::string separation_check(const Case& value, TestFramework framework) {
+  const std::optional<Approach> approach = approach_of(value);
+  if (!approach) return "";
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double distance = std::nextafter(std::sqrt(round_up(approach->squared)), infinity);
+  const double contact = round_up(approach->until);
+  if (!(0 < contact && contact < infinity && distance < infinity)) return "";
+  return check_text(framework, fmt::format("keeps_separation(answer, {}, {}, t_max)",
+                                           to_hex(distance), to_hex(contact)));
+}
+
 }  // namespace
 
 std::string test_preamble(TestFramework framework) {
@@ -208,6 +222,7 @@ Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFram
                      framework == TestFramework::kGoogleTest ? "SCOPED_TRACE" : "INFO",
                      contact_text(value));
   out += check_text(framework, "is_answer(answer, t_max)");
+  out += separation_check(value, framework);
   if (contact && *contact <= exact(query.t_max)) {
     const std::string excuse = excuse_text(value, *contact);
     out += check_text(framework, "answer.verdict != CCDFUZZ_MISS" + excuse);

@@ -1,5 +1,7 @@
 #include "method/ask.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 #include "case/mesh.hpp"
@@ -86,7 +88,16 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
   if (answer.broken_claim && !wrong) {
     return failed(*answer.broken_claim, answer.broken_claim->name());
   }
-  const double late_by = outcome == Outcome::kLate ? delay_of(known, answer) : 0;
+  const bool is_late = outcome == Outcome::kLate;
+  const double late_by = is_late ? delay_of(known, answer, answer.terms) : 0;
+  if (is_false_negative(outcome)) {
+    const Rational before = exact(is_late ? *answer.toi : known.query().t_max);
+    if (const auto since = nearer_since(known, answer.terms, before)) {
+      answer.note =
+          fmt::format("the patches are nearer than the minimum separation {} from t = {:.10g}",
+                      answer.terms.kept_separation, since->get_d());
+    }
+  }
   const bool in_plane = answer.terms.in_plane;
   const double in_depth = answer.terms.depth_tolerance, in_time = answer.terms.time_tolerance;
   const char* const error = outcome == Outcome::kError ? "nonsense" : "";

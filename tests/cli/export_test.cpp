@@ -23,6 +23,9 @@ const std::string kReachesTheFace =
 const std::string kStaysAbove =
     vertex_onto_face(0.5, R"("collides":false,"proof":"L",)"
                           R"("certificate":{"clear":{"kind":"L","until":"1","closed":true}})");
+const std::string kReachesItLater = vertex_onto_face(
+    0.875, R"("witness":{"t":"8/7","uv":[["1/4","1/2"],["0","0"]]},"clear_until":"8/7",)"
+           R"("certificate":{"clear":{"kind":"L","until":"8/7","closed":false}})");
 const std::string kContactAtTheEnd =
     vertex_onto_face(1, R"("collides":true,"witness":{"t":"1","uv":[["1/4","1/2"],["0","0"]]})");
 
@@ -121,6 +124,17 @@ TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
   const ExportedTests tests(kReachesTheFace);
   EXPECT_TRUE(tests.pass("verdict=1:toi=0x1.00002p-1:kind=1:tolerance=1e-6"));
   EXPECT_FALSE(tests.pass("verdict=1:toi=0x1.00004p-1:kind=1:tolerance=1e-6"));
+}
+
+/// A point that is 1 above a face at 0 and on it at 1/2 is 1/4 above it at 3/8.
+TEST(Export, AsGoogleTestAsksForTheSeparationThatAConservativePluginClaims) {
+  const ExportedTests tests(kReachesTheFace);
+  EXPECT_TRUE(tests.pass("verdict=1:toi=0.375:separation=0.25:claims=7"));
+  EXPECT_FALSE(tests.pass("verdict=1:toi=0.376:separation=0.25:claims=7"));
+  EXPECT_TRUE(tests.pass("verdict=1:toi=0.376:separation=0.25:claims=6"));
+  EXPECT_TRUE(tests.pass("verdict=1:toi=0.376:separation=2:claims=3"));
+  EXPECT_FALSE(tests.pass("verdict=1:toi=0.001:separation=2:claims=7"));
+  EXPECT_FALSE(ExportedTests(kReachesItLater).pass("verdict=2:separation=0.25:claims=7"));
 }
 
 // Bits of claims are those of ccdfuzz_description: 1 conservative, 2 closed at t_max, 4 contact at
