@@ -239,7 +239,9 @@ void note_differing(const HuntReport& report, Session& session) {
   std::set<std::string> noted;
   for (const Find& find : report.finds) {
     if (!find.differs || !noted.insert(find.failure.who).second) continue;
-    session.remark("{}: {}, found in {}", find.failure.who, kAnswersDiffer, find.path);
+    const auto note = find.value.origin.more.find(kNote);
+    session.remark("{}: {}, found in {}{}", find.failure.who, kAnswersDiffer, find.path,
+                   note == find.value.origin.more.end() ? "" : ": " + note->second);
   }
 }
 

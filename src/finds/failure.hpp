@@ -95,6 +95,8 @@ Asked asked_with(const SearchOptions& search);
 /// Empty where no contact by t_max is known, or the method cannot be traced.
 std::string cause_of_loss(const std::string& method, const Case& value);
 
+/// The field of an origin that says what an error was, where the query alone does not show it.
+inline constexpr const char* kNote = "note";
 /// What is wrong with a method of which Asker::differs is true.
 inline constexpr const char* kAnswersDiffer = "answers differ from one ask to the next";
 

@@ -212,6 +212,7 @@ Result<void> Intake::finish(const Finish& how) {
         const Expected shown{failure.outcome, failure.cause};
         find.differs =
             !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
+        if (!find.differs) find.value.origin.more.erase(kNote);
         asker.ask_others(find.value, how.methods);
         return find;
       },

@@ -16,6 +16,7 @@
 #include "hunt/schedule.hpp"
 #include "io/cpu_time.hpp"
 #include "io/in_order.hpp"
+#include "io/json_write.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 
@@ -214,6 +215,11 @@ class Hunt {
     Case& find = done.failures.emplace_back(*asker.failure(method, asked, judged), asked).second;
     find.asked = asked_with(options_.search);
     find.expect.clear();
+    find.origin.more.erase(kNote);
+    const std::string& note = judged.answer.note;
+    if (judged.outcome == Outcome::kError && !note.empty()) {
+      find.origin.more[kNote] = json_string(note);
+    }
     done.cpu_seconds += thread_cpu_seconds() - begin;
   }
 

@@ -90,36 +90,6 @@ TEST(Plugins, WriteNothingAndHaveNoNetworkInBubblewrapAsThePageSays) {
               testing::HasSubstr("boxes, in Python"));
 }
 
-TEST(Plugins, AreNamedWhereTheirAnswersDifferFromOneAskToTheNext) {
-  const ScratchFolder folder;
-  // One that says hit and miss by turns, which nothing notices that asks each query once.
-  write_text(folder / "turns.py",
-             R"(#!/usr/bin/env python3
-import json, sys
-asks = 0
-for line in sys.stdin:
-    asked = json.loads(line)
-    if asked["ask"] == "describe":
-        print('{"protocol":1,"accepts":[[{"shape":"point"},{"shape":"point"}]]}', flush=True)
-        continue
-    asks += 1
-    print(json.dumps({"id": asked["id"], "verdict": "hit" if asks % 2 else "miss", "toi": 0}), flush=True)
-)");
-  std::filesystem::permissions(folder / "turns.py", std::filesystem::perms::owner_all);
-  const std::string turns =
-      fmt::format(" --plugin turns=plugin-exec:{}/turns.py:repeat=no:seconds=30", folder.path());
-  const std::string finds = folder / "finds";
-  const auto said = [&](const std::string& command) {
-    return shell("\"$ccdfuzz\" " + command + turns).err;
-  };
-  const auto differs = testing::HasSubstr("plugin:turns: answers differ from one ask to the next");
-  EXPECT_THAT(said("hunt --cases 4 --threads 1 --methods plugin:turns --corpus " + finds), differs);
-  EXPECT_THAT(said("replay --threads 1 " + finds), differs);
-  const std::string find = finds + "/plugin_turns-missed-VV-at-an-end.json";
-  EXPECT_THAT(said("minimize --method plugin:turns " + find),
-              testing::HasSubstr("is correct: no failure to shrink; answers differ from"));
-}
-
 /// The C++ between the first pair of fences of the page for newcomers.
 std::string newcomers_plugin() {
   const std::string page = read_text(CCDFUZZ_SOURCE_DIR "/docs/plug-ins.md");
