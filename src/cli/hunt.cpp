@@ -218,6 +218,13 @@ Result<std::string> parse_built_in(const std::string& where, const std::string& 
   return text;
 }
 
+Result<Outcome> parse_until(const std::string& where, const std::string& text) {
+  const std::optional<Outcome> named = enum_named<Outcome>(text);
+  if (named && is_failure(*named)) return *named;
+  return input_error(where,
+                     fmt::format("\"{}\" is not one of missed, late, false_positive, error", text));
+}
+
 std::vector<std::string> methods_by_default() {
   std::vector<std::string> methods = default_methods();
   methods.insert(methods.begin(), "trad");
@@ -246,11 +253,6 @@ void note_differing(const HuntReport& report, Session& session) {
 }
 
 int run_hunt(const HuntArguments& arguments, Session& session) {
-  if (const auto& until = arguments.hunt.until; until && !is_failure(*until)) {
-    throw BadInput{
-        {"--until", fmt::format("{} ends no hunt: missed, late, false_positive and error do",
-                                name_of(*until))}};
-  }
   HuntArguments options = arguments;
   options.hunt.threads = session.threads;
   options.hunt.search = options.search.options();
@@ -321,9 +323,10 @@ void add_hunt(CommandLine& line) {
              "--seed then finds the same",
              1, kMostCases)
       .excludes(seconds);
-  command.choice("--until OUTCOME", hunt.until,
+  command.parsed("--until OUTCOME", hunt.until,
                  "End with the first counterexample of this outcome: missed, late, false_positive, "
-                 "error");
+                 "error",
+                 parse_until);
   command.whole("--seed", hunt.seed, "Seed of the cases");
   command.group("What to test");
   hunt.methods = methods_by_default();

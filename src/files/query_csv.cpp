@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <filesystem>
 
 #include "base/text.hpp"
@@ -54,7 +55,9 @@ Result<Integer> parse_integer(std::string_view text) {
   std::string_view digits = text;
   if (digits.starts_with('-')) digits.remove_prefix(1);
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
-    return input_error("", shown_text(text) + " is not a whole number");
+    const bool is_word = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+    return input_error("", shown_text(text) + " is not a whole number" +
+                               (is_word ? "; a CSV of queries has no row of names" : ""));
   }
   if (digits.size() > kMaxRationalDigits) {
     return input_error("", fmt::format("{} has {} digits; at most {} are read", shown_text(text),

@@ -187,14 +187,43 @@ std::optional<Case> decided_case(const Query& query) {
   return out;
 }
 
+namespace {
+
+/// "bodies, floats": what is asked for.
+std::string asked_text(const HuntGround& ground) {
+  std::string text = ground.bodies ? "bodies" : ground.linear ? "linear patches" : "patches";
+  if (ground.shapes) {
+    text = fmt::format("{} against {}", to_text((*ground.shapes)[0]), to_text((*ground.shapes)[1]));
+  }
+  const std::string rules = ground.text();
+  return rules.empty() ? text : text + ", " + rules;
+}
+
+/// "point and triangle(1), curve(1) and curve(1)": what a method takes.
+std::string taken_text(const MethodInfo& info) {
+  std::vector<std::string> texts;
+  const auto shown = [](const Domain::Side& side) {
+    return side.max_degree == 0 ? std::string(name_of(side.shape))
+                                : fmt::format("{}({})", name_of(side.shape), side.max_degree);
+  };
+  for (const auto& [a, b] : info.domain.pairs) texts.push_back(shown(a) + " and " + shown(b));
+  if (texts.empty()) texts.emplace_back(info.features.bodies ? "patches and bodies" : "patches");
+  if (std::string rules = info.domain.text(); !rules.empty()) texts.push_back(std::move(rules));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {
-  const auto nothing = [&] {
+  const auto nothing = [&, asked = asked_text(ground)]() -> Result<HuntGround> {
+    if (methods.size() > 1) {
+      return input_error("methods", fmt::format("no query is taken by all of {}: hunt them apart",
+                                                fmt::join(methods, ", ")));
+    }
+    CCDFUZZ_TRY(const MethodInfo info, method_info(methods.front()));
     return input_error(
-        "methods",
-        methods.size() == 1
-            ? fmt::format("{} takes no query of those that are asked for", methods.front())
-            : fmt::format("no query is taken by all of {}: hunt them apart",
-                          fmt::join(methods, ", ")));
+        "methods", fmt::format("{} takes no query of those that are asked for ({}): it takes {}",
+                               methods.front(), asked, taken_text(info)));
   };
   bool take_bodies = true, take_patches = true, means_bodies = false;
   for (const std::string& method : methods) {

@@ -86,7 +86,7 @@ Result<double> parse_decimal(const JsonValue& value) {
   return x;
 }
 
-constexpr auto kNotHex = "is not a hex float such as \"0x1.8p-3\"";
+constexpr auto kNotHex = "is not a hex float such as \"0x1.8p-3\"; a decimal number has no quotes";
 
 /// The exponent in "p[±]D", or nothing of an empty text. Errors: it is none, or far out of range.
 Result<long> parse_power(const JsonValue& value, std::string_view text) {
