@@ -18,6 +18,9 @@ namespace {
 constexpr int kContactUvBits = 2;
 /// A control point has so many bits at a contact whose parameters are off the grid.
 constexpr int kOffGridBits = 32;
+/// The same of a float, which then has a few left for the place and the frame. A time that is off
+/// the grid has kFloatTimeBits after the point, to which a velocity adds its own.
+constexpr int kFloatOffGridBits = 15, kFloatTimeBits = 12;
 constexpr int kTwinUlps = 2;
 
 /// For each control point, whether its Bernstein weight at the contact is not 0.
@@ -39,7 +42,8 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   // Each degree takes the bits of the parameters once more.
   const int degrees = std::max(1, side.shape.n + side.shape.m);
   const bool off_grid = range.off_grid && choices.coin();
-  const int left = (kOffGridBits - range.coordinate_bits) / degrees;
+  const int bits_in_all = range.binary32 ? kFloatOffGridBits : kOffGridBits;
+  const int left = (bits_in_all - range.coordinate_bits) / degrees;
   const int bits = off_grid ? std::max(kContactUvBits, left) : kContactUvBits;
   side.at = draw_uv(choices, side.shape, bits, !off_grid);
   side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
@@ -55,14 +59,14 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   return side;
 }
 
-/// Makes some control points that do not bear on the contact almost equal to the one before.
-void draw_twins(Draw& choices, const ContactSide& side, MovingPatch<double>& patch) {
+/// Makes some control points that do not bear on the contact equal to the one before, up to ulps.
+void draw_twins(Draw& choices, const ContactSide& side, int ulps, MovingPatch<double>& patch) {
   const std::vector<bool> bearing = bearing_controls(side);
   for (std::size_t i = 1; i < patch.positions.size(); ++i) {
     if (bearing[i] || !choices.coin()) continue;
     for (int k = 0; k < 3; ++k) {
-      patch.positions[i][k] = choices.nudged(patch.positions[i - 1][k], kTwinUlps);
-      patch.velocities[i][k] = choices.nudged(patch.velocities[i - 1][k], kTwinUlps);
+      patch.positions[i][k] = choices.nudged(patch.positions[i - 1][k], ulps);
+      patch.velocities[i][k] = choices.nudged(patch.velocities[i - 1][k], ulps);
     }
   }
 }
@@ -80,6 +84,7 @@ Result<void> validate(const ContactRange& range) {
   CCDFUZZ_TRY_VOID(refuse_unless_in("coordinate_bits", range.coordinate_bits, 0, kMostBits));
   CCDFUZZ_TRY_VOID(refuse_unless_in("lowest", range.lowest, -kMostScale, kMostScale));
   CCDFUZZ_TRY_VOID(refuse_unless_in("highest", range.highest, range.lowest, kMostScale));
+  CCDFUZZ_TRY_VOID(refuse_unless_in("most_drift", range.most_drift, -3, kMostScale));
   if (!range.shapes) return {};
   for (const Shape& shape : *range.shapes) {
     if (shape.valid() && shape.kind != ShapeKind::kHull) continue;
@@ -94,11 +99,11 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   placement.frame = draw_frame_near_axes(choices, 2);
   Vec3<Dyadic> contact;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
-  const long common_exponent = choices.integer(-3, 12);
+  const long common_exponent = choices.integer(-3, range.most_drift);
   for (int k = 0; k < 3; ++k) placement.drift[k] = choices.dyadic(3, common_exponent);
   Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
   if (range.off_grid && choices.coin()) {
-    const Dyadic off(choices.integer(-7, 7), -43);
+    const Dyadic off(choices.integer(-7, 7), range.binary32 ? -kFloatTimeBits : -43);
     t = abs(t + off);
   }
   placement.shift = contact - placement.drift * t;
@@ -113,13 +118,13 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
     exactly.positions = exactly.at(-t);
     auto patch = to_doubles(exactly);
     if (!patch) return input_error("", "a number is not a double");
-    if (choices.coin()) draw_twins(choices, side, *patch);
+    if (choices.coin()) draw_twins(choices, side, range.binary32 ? 0 : kTwinUlps, *patch);
     drawn.query.patches[s] = *std::move(patch);
     drawn.truth.witness->uv[s] = {side.at[0].rational(), side.at[1].rational()};
   }
   const double t_contact = *t.to_double_exactly();
-  drawn.query.t_max =
-      choices.pick(std::array{t_contact, t_contact + 0x1p-30, t_contact + 0.5, 2.0});
+  const double little = range.binary32 ? 0x1p-20 : 0x1p-30;
+  drawn.query.t_max = choices.pick(std::array{t_contact, t_contact + little, t_contact + 0.5, 2.0});
   drawn.origin.generator = "draw_contact";
   if (!range.elsewhere || !choices.coin()) return drawn;
   return elsewhere(drawn, choices);

@@ -22,6 +22,10 @@ struct ContactRange {
   /// degrees are higher or coordinates have many bits. Half of the contacts come up to 7·2^-43
   /// before or after.
   bool off_grid = false;
+  /// True: these are multiples of 2^-10 and 2^-12, so that most numbers are floats (binary32).
+  bool binary32 = false;
+  /// The velocity that both share is below 2^(most_drift + 2).
+  int most_drift = 12;
   /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).
   bool elsewhere = false;
   /// Those of patches 1 and 2; by default any, of degrees up to max_degree.

@@ -50,6 +50,23 @@ Contact contact_of_any_class(Draw& draw, const ContactRange& range) {
                     });
 }
 
+/// The part of a range whose contacts mostly keep to what is promised; all of it if there is none.
+ContactRange kept_to(const Domain& promised, ContactRange range) {
+  constexpr int kMostFloatDrift = 2, kLeastDrift = -3;
+  if (promised.binary32) {
+    range.binary32 = true;
+    range.most_drift = std::min(range.most_drift, kMostFloatDrift);
+  }
+  if (!promised.scale) return range;
+  // At a scale of 2^0 speeds are multiples of 2^-3, and points are within 2^6, at t_max, too.
+  constexpr int kLeastSpeed = 3, kFarthest = 6;
+  const int lowest = std::max(range.lowest, kLeastSpeed - *promised.scale),
+            highest = std::min(range.highest, *promised.scale - kFarthest);
+  if (lowest <= highest) range.lowest = lowest, range.highest = highest;
+  range.most_drift = std::clamp(*promised.scale - kFarthest, kLeastDrift, range.most_drift);
+  return range;
+}
+
 /// Draws a class anew after each contact that is not promised: there may be none of it that is.
 Contact drawn_contact(Draw& draw, const ContactRange& range, const Domain& promised) {
   int refused = 0;
@@ -102,7 +119,9 @@ rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
     largest.shapes = shapes_of(pair, [](int most) { return most; });
     demand(validate(largest), "gen::contact");
   }
-  return drawn([range, promised](Draw& draw) { return drawn_contact(draw, range, promised); });
+  return drawn([range = kept_to(promised, range), promised](Draw& draw) {
+    return drawn_contact(draw, range, promised);
+  });
 }
 
 rc::Gen<Case> inverse(const GeneratorOptions& options) {
