@@ -123,7 +123,7 @@ struct GeneratorOptions {
   Family family = Family::kRegular;
   /// The shapes of patches 1 and 2; by default both are quadratic triangles up to kInteriorTime,
   /// and random in the others. Other shapes are made one-sided only.
-  std::optional<std::array<Shape, 2>> shapes;
+  std::optional<std::array<Shape, 2>> shapes = {};
   /// The kinds of bodies of the families from bodies on that have them; empty: all.
   BodyKinds bodies = {};
   /// Whether bodies lie and move in the plane z = 0: those of all families but meshes.
@@ -140,7 +140,7 @@ struct GeneratorOptions {
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for what grazes, NHP and families: that is only about eps_T² apart
   /// then.
-  std::optional<int> eps_t_exponent;
+  std::optional<int> eps_t_exponent = {};
   /// Pops of a search in exact arithmetic (at least 1) that is to prove an absence of contact,
   /// where no moving plane does. Those that are not enough for are thrown away, and the next may be
   /// another case: part of what describes a data set.

@@ -27,11 +27,8 @@ inline Witness at_time(const Rational& t) {
 }
 
 inline Case generated_case(ContactClass contact, Family family, std::uint64_t index) {
-  GeneratorOptions options;
-  options.contact = contact;
-  options.family = family;
-  options.construction = Construction::kOneSided;
-  options.seed = 1;
+  GeneratorOptions options{
+      .contact = contact, .construction = Construction::kOneSided, .family = family, .seed = 1};
   return generate(options, index).value;
 }
 

@@ -22,11 +22,8 @@ namespace {
 
 Case drawn(ContactClass contact, CaseKind kind, std::uint64_t index,
            Family family = Family::kRegular) {
-  GeneratorOptions options;
-  options.family = family;
-  options.contact = contact;
-  options.kind = kind;
-  options.construction = Construction::kOneSided;
+  GeneratorOptions options{
+      .contact = contact, .kind = kind, .construction = Construction::kOneSided, .family = family};
   return generate(options, index).value;
 }
 
@@ -280,10 +277,9 @@ double relative_depth(const Case& known) {
 }
 
 TEST(Minimise, ADeepMissStaysHalfAsDeepAsTheDeepestFormTaken) {
-  GeneratorOptions options;
-  options.contact = ContactClass::kVF;
-  options.construction = Construction::kOneSided;
-  options.shapes = {Shape::point(), Shape::triangle(1)};
+  GeneratorOptions options{.contact = ContactClass::kVF,
+                           .construction = Construction::kOneSided,
+                           .shapes = {{Shape::point(), Shape::triangle(1)}}};
   Asker asker = asker_of_misses();
   int deep_ones = 0;
   for (std::uint64_t index = 0; index < 6; ++index) {

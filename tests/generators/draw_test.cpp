@@ -78,10 +78,8 @@ TEST(Draw, RecordedChoicesOfAGeneratedCaseMakeItAgain) {
   for (const Family family : kFamilies) {
     for (const ContactClass contact : kContactClasses) {
       for (const Construction construction : kConstructions) {
-        GeneratorOptions options;
-        options.contact = contact;
-        options.construction = construction;
-        options.family = family;
+        GeneratorOptions options{
+            .contact = contact, .construction = construction, .family = family};
         if (!validate(options)) continue;
         SCOPED_TRACE(std::string(name_of(family)) + " " + std::string(name_of(contact)));
         Draw stream(Random::keyed({7, static_cast<std::uint64_t>(contact)})), recorded = stream;
@@ -101,12 +99,11 @@ TEST(Draw, RecordedChoicesOfAGeneratedCaseMakeItAgain) {
 TEST(Draw, EveryConstructionEndsOnExhaustedChoices) {
   for (const Family family : kFamilies) {
     for (const CaseKind kind : kCaseKinds) {
-      GeneratorOptions options;
-      options.contact = ContactClass::kVV;
-      options.kind = kind;
-      options.family = family;
-      options.construction = Construction::kOneSided;
-      options.proof_pops = 100;
+      GeneratorOptions options{.contact = ContactClass::kVV,
+                               .kind = kind,
+                               .construction = Construction::kOneSided,
+                               .family = family,
+                               .proof_pops = 100};
       if (!validate(options)) continue;
       for (const ChoiceNumbers& numbers :
            {ChoiceNumbers{}, ChoiceNumbers(30, 1), ChoiceNumbers(500, ~std::uint64_t{0})}) {

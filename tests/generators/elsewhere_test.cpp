@@ -55,9 +55,7 @@ TEST(Anywhere, ContactsComeInAllScalesAndPlaces) {
   int tiny = 0, huge = 0, fast = 0, proven = 0, early = 0;
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t index = 0; index < kCases; ++index) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.family = Family::kAnywhere;
+      GeneratorOptions options{.contact = contact, .family = Family::kAnywhere};
       const Case made = generate(options, index).value;
       ASSERT_TRUE(made.truth.witness);
       EXPECT_EQ(made.origin.generator, "anywhere");

@@ -28,10 +28,7 @@ void for_each_case(const Check& check) {
   for (const Construction construction : {Construction::kPaper, Construction::kOneSided}) {
     for (const ContactClass contact : kContactClasses) {
       for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-        GeneratorOptions options;
-        options.contact = contact;
-        options.kind = kind;
-        options.construction = construction;
+        GeneratorOptions options{.contact = contact, .kind = kind, .construction = construction};
         for (std::uint64_t index = 0; index < kCasesPerClass; ++index) {
           SCOPED_TRACE(describe(options, index));
           check(options, index, generate(options, index));
@@ -87,8 +84,7 @@ TEST(Generate, TheMovingPlaneThatProvesACaseIsPartOfItAndTheCheckerAcceptsIt) {
 
 // Other cases may be made with another budget, so it is part of where they come from.
 TEST(Generate, TheOriginNamesABudgetOfItsOwn) {
-  GeneratorOptions options;
-  options.construction = Construction::kOneSided;
+  GeneratorOptions options{.construction = Construction::kOneSided};
   EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided");
   options.proof_pops = 1000;
   EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided, proven in 1000 pops");
@@ -109,8 +105,7 @@ TEST(Generate, EveryAttemptIsAcceptedOrDiscardedAndNoneForItsRoundTrip) {
 }
 
 TEST(Generate, MakesTheSameCasesOnEveryThread) {
-  GeneratorOptions options;
-  options.contact = ContactClass::kVE;
+  GeneratorOptions options{.contact = ContactClass::kVE};
   constexpr int kCases = 16;
   std::vector<Case> together(kCases);
   std::vector<std::thread> threads;

@@ -12,11 +12,7 @@ namespace {
 
 Case made(Family family, ContactClass contact, std::uint64_t index, bool plane = false,
           std::uint64_t seed = 0) {
-  GeneratorOptions options;
-  options.family = family;
-  options.contact = contact;
-  options.plane = plane;
-  options.seed = seed;
+  GeneratorOptions options{.contact = contact, .family = family, .plane = plane, .seed = seed};
   Case value = generate(options, index).value;
   EXPECT_TRUE(check_case(value)) << name_of(contact) << ' ' << index;
   EXPECT_TRUE(is_binary32(value.query));
@@ -48,8 +44,7 @@ TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {
 }
 
 TEST(Bodies, OfDoublesAreFarAwaySomeTouchAtTheStartAndTheirTruthHolds) {
-  GeneratorOptions options;
-  options.family = Family::kBodies;
+  GeneratorOptions options{.family = Family::kBodies};
   options.binary64 = options.at_start = true;
   double largest = 0;
   int at_start = 0;

@@ -10,10 +10,9 @@ namespace {
 
 // What a search of few pops does not prove is thrown away, and no claim is made without a proof.
 TEST(Grazing, FewPopsThrowAwayMore) {
-  GeneratorOptions options;
-  options.contact = ContactClass::kFF;
-  options.construction = Construction::kOneSided;
-  options.kind = CaseKind::kNHP;
+  GeneratorOptions options{.contact = ContactClass::kFF,
+                           .kind = CaseKind::kNHP,
+                           .construction = Construction::kOneSided};
   constexpr std::uint64_t kPops = 1000;
   DiscardCounts many, few;
   for (std::uint64_t i = 0; i < 6; ++i) {

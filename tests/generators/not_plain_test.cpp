@@ -16,10 +16,7 @@ namespace {
 template <class Check>
 void for_each_case(Family family, CaseKind kind, std::uint64_t count, const Check& check) {
   for (const ContactClass contact : kContactClasses) {
-    GeneratorOptions options;
-    options.family = family;
-    options.contact = contact;
-    options.kind = kind;
+    GeneratorOptions options{.contact = contact, .kind = kind, .family = family};
     for (std::uint64_t index = 0; index < count; ++index) check(generate(options, index).value);
   }
 }

@@ -31,9 +31,7 @@ TEST(PaperSet, APartHasEveryClassAndKind) {
 TEST(PaperSet, NegativesAreThoseThatGenerateMakes) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t i = 0; i < 8 / std::min<std::uint64_t>(kOneIn, 8); ++i) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.seed = 3;
+      GeneratorOptions options{.contact = contact, .seed = 3};
       const PaperCases made = make_paper_cases({contact, CaseKind::kRP, i}, 3);
       ASSERT_EQ(made.cases.size(), 2U);
       EXPECT_EQ(made.cases[0], generate(options, i).value);

@@ -21,10 +21,7 @@ void for_each_shaped_case(std::uint64_t count, const Check& check) {
   for (const Family family : kFamilies) {
     for (const ContactClass contact : kContactClasses) {
       for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-        GeneratorOptions options;
-        options.family = family;
-        options.contact = contact;
-        options.kind = kind;
+        GeneratorOptions options{.contact = contact, .kind = kind, .family = family};
         if (!is_shaped(options) || !is_made(family, contact, kind)) continue;
         for (std::uint64_t index = 0; index < count; index += kOneIn) {
           SCOPED_TRACE(fmt::format("{} {} {} index {}", name_of(family), name_of(contact),

@@ -176,10 +176,7 @@ bool is_missed(const Case& value) {
 
 /// The first that is missed, minimised.
 Query minimised(ContactClass contact, bool plane) {
-  GeneratorOptions options;
-  options.contact = contact;
-  options.family = Family::kBodies;
-  options.plane = plane;
+  GeneratorOptions options{.contact = contact, .family = Family::kBodies, .plane = plane};
   Case found;
   for (std::uint64_t i = 0; !is_missed(found); ++i) found = generate(options, i).value;
   const Case small = minimise(found, Outcome::kMissed, is_missed).value;

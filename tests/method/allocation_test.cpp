@@ -12,10 +12,8 @@ TEST(Method, AllocatesNothingOnceWarm) {
   std::vector<Query> queries;
   for (const ContactClass contact : kContactClasses) {
     for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.kind = kind;
-      options.construction = Construction::kOneSided;
+      GeneratorOptions options{
+          .contact = contact, .kind = kind, .construction = Construction::kOneSided};
       queries.push_back(generate(options, 0).value.query);
     }
   }

@@ -16,9 +16,7 @@ inline std::vector<Contact> mutation_bases() {
     for (int i = 0; i < 4; ++i) {
       bases.push_back(contact_of(planted_case(contact, random)).value());
     }
-    GeneratorOptions options;
-    options.contact = contact;
-    options.construction = Construction::kOneSided;
+    GeneratorOptions options{.contact = contact, .construction = Construction::kOneSided};
     bases.push_back(contact_of(generate(options, 0).value).value());
   }
   const auto moving = [&](const Shape& shape) {

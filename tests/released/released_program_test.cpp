@@ -79,10 +79,7 @@ void expect_same_answers(const char* spec, const GeneratorOptions& options, std:
 }
 
 GeneratorOptions of(ContactClass contact, CaseKind kind) {
-  GeneratorOptions options;
-  options.contact = contact;
-  options.kind = kind;
-  options.seed = 1;
+  GeneratorOptions options{.contact = contact, .kind = kind, .seed = 1};
   return options;
 }
 
