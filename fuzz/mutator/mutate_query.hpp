@@ -5,7 +5,7 @@
 
 namespace ccdfuzz {
 
-/// A mutant of a query of bodies, or of linear patches with velocities: one to four changes of
+/// A mutant of a query of bodies, or of linear patches without loops: one to four changes of
 /// points, of a velocity, of a radius or of t_max. Parts come from `other`, which is one of bodies
 /// or patches, too. The mutant is a valid query, and its numbers are floats
 /// (binary32). Whether anything touches is to be decided. Depends on the arguments alone.

@@ -72,8 +72,9 @@ const Contact& Breeder::mother() {
 }
 
 bool Breeder::decides_anew(const Query& query) const {
-  return is_of_bodies(query) || (ground_.binary32 && !traceable_ && is_linear_query(query) &&
-                                 !has_ends(query) && !is_trimmed(query) && query.separation == 0);
+  const bool is_rounded = ground_.binary32 || is_kept(query.separation, features_);
+  return is_of_bodies(query) ||
+         (is_rounded && !traceable_ && is_linear_query(query) && !is_trimmed(query));
 }
 
 /// A mutant that is apart at the start, with its truth; three in four that then miss do not drift.
@@ -92,7 +93,7 @@ std::optional<Case> Breeder::decided_mutant() {
 
 void Breeder::step(MethodSet& methods, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
-  if (!queries_.empty()) {
+  if (!queries_.empty() && (drifting_.empty() || random_.coin())) {
     const std::optional<Case> made = decided_mutant();
     if (made && ask_about(*made, methods, search, found)) ++tally_.mutants;
     return;

@@ -8,6 +8,8 @@
 #include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
 #include "generators/bodies.hpp"
+#include "generators/similar.hpp"
+#include "hunt/varied.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "properties/draw_linear.hpp"
 
@@ -180,9 +182,21 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
 
 void Draws::add_not_plain(std::vector<Source>& sources, ContactClass contact,
                           const std::optional<ShapePair>& shapes) const {
+  Features taken = features_;
+  taken.separation = taken.separation || taken.kept_separation > 0;
+  // Ends whose differences are no doubles are neither floats nor within a scale (varied).
+  taken.ends = taken.ends && !ground_.binary32 && !ground_.scale;
   for (const auto& [family, needs] : kNotPlain) {
-    if (has_all(features_, needs)) add_source(sources, contact, shapes, family);
+    if (has_all(taken, needs)) add_source(sources, contact, shapes, family);
   }
+}
+
+Case Draws::below_claim(Case value) const {
+  const double kept = features_.kept_separation, separation = value.query.separation;
+  if (features_.separation || kept == 0 || separation == 0) return value;
+  int exponent = std::ilogb(kept) - std::ilogb(separation);
+  if (std::ldexp(separation, exponent) >= kept) --exponent;
+  return similar(value, {.space = exponent}).value_or(value);
 }
 
 std::vector<Draws::Source> Draws::linear_sources(size_t pair) const {
@@ -231,7 +245,7 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
   if (source.kinds.empty()) return draw_linear_case(contact, seed_, round);
   GeneratorOptions options = source.options;
   options.kind = source.kinds[round % source.kinds.size()];
-  return generate(options, round).value;
+  return below_claim(generate(options, round).value);
 }
 
 Case Draws::any_case(Draw& draw) const {
@@ -240,13 +254,17 @@ Case Draws::any_case(Draw& draw) const {
   const Source& source = around[draw.below(around.size())];
   GeneratorOptions options = source.options;
   options.kind = source.kinds[draw.below(source.kinds.size())];
-  return ground_.fitted(generate(options, draw).value);
+  return ground_.fitted(below_claim(generate(options, draw).value));
 }
 
 std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) const {
+  const Case drawn = ground_.fitted(drawn_case(contact, index));
+  Draw choices{Random::keyed(
+      {seed_, index, static_cast<std::uint64_t>(contact), 0x766172696564})};  // "varied"
+  const std::optional<Case> other = varied(drawn, ground_, features_, choices);
   // Generators prove what they say.
-  const auto made = value_or_throw(check_case(ground_.fitted(drawn_case(contact, index))));
-  std::vector<CheckedCase> asked = are_by_shapes() ? std::vector{made} : forms_of(made);
+  const auto made = value_or_throw(check_case(other ? *other : drawn));
+  std::vector<CheckedCase> asked = other || are_by_shapes() ? std::vector{made} : forms_of(made);
   std::erase_if(asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return asked;
 }

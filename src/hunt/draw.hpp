@@ -15,8 +15,8 @@ namespace ccdfuzz {
 /// the seed, the ground and the features alone. It alternates between both constructions and all
 /// stress families that have the class and the ground's shapes. Families of weights, loops, ends
 /// and separations are among them where the features have these. A draw is a case with exact truth,
-/// as it is put to the method (forms_of). It is brought onto the ground where that is possible
-/// (HuntGround::fitted). Else it is left out, so a draw may be empty.
+/// as it is put to the method (forms_of, varied). It is brought onto the ground where that is
+/// possible (HuntGround::fitted). Else it is left out, so a draw may be empty.
 class Draws {
  public:
   /// features: what the method takes.
@@ -50,6 +50,9 @@ class Draws {
   /// The families of what a query may have beyond plain patches, where features_ has that.
   void add_not_plain(std::vector<Source>& sources, ContactClass contact,
                      const std::optional<ShapePair>& shapes) const;
+  /// A case with a separation in units of which it is just below the claim that keeps patches
+  /// apart, if the method takes separations by that alone.
+  Case below_claim(Case value) const;
   std::vector<Source> linear_sources(size_t pair) const;
   std::vector<Source> sources_of(ContactClass contact) const;
 

@@ -42,20 +42,50 @@ int shift_into(double magnitude, int scale) {
   return (exponent % scale + scale) % scale - scale / 2 - exponent;
 }
 
+/// A planted contact comes at t_max. Where numbers change it may come later, by less than this.
+constexpr double kALittleLonger = 1.25;
+
+/// Patches that go past 2^scale, by a little after t_max, lose the velocity of one of them, which
+/// all share. If they still do, they become smaller, as far as they remain well above 2^-scale.
+void slow_down(Query& query, int scale) {
+  const auto farthest = [&] {
+    Query longer = query;
+    if (!has_ends(query)) longer.t_max *= kALittleLonger;
+    return largest_coordinate_at_ends(longer);
+  };
+  const double most = std::ldexp(1.0, scale);
+  if (!has_ends(query) && farthest() > most) {
+    const Vec3<double> common = query.patches[0].velocities[0];
+    for (MovingPatch<double>& patch : query.patches) {
+      for (Vec3<double>& v : patch.velocities) v -= common;
+    }
+  }
+  const double far = farthest();
+  if (!(far > most) || !std::isfinite(far)) return;
+  const int room = std::ilogb(std::max(largest_coordinate(query), 1 / most)) + scale / 2;
+  const int shift = std::min(std::ilogb(far) + 1 - scale, std::max(room, 0));
+  for (MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, -shift); });
+  }
+  query.separation = std::ldexp(query.separation, -shift);
+}
+
 /// The patches near the origin if they are far from it, and of other sizes and speeds.
 void bring_to_scale(Query& query, int scale) {
   if (largest_coordinate(query) > std::ldexp(1.0, scale)) {
     const Vec3<double> origin = query.patches[0].positions[0];
     for (MovingPatch<double>& patch : query.patches) {
       for (Vec3<double>& p : patch.positions) p -= origin;
+      for (Vec3<double>& p : patch.ends) p -= origin;
     }
   }
+  if (!is_of_bodies(query)) slow_down(query, scale);
   const int in_space = shift_into(largest_coordinate(query), scale);
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
   }
   query.separation = std::ldexp(query.separation, in_space);
-  if (has_turns(query)) return;  // they turn from 0 to 1
+  if (has_turns(query) || has_ends(query)) return;  // they move from 0 to 1
   const double fastest = std::max(largest_coordinate(query.patches[0].velocities),
                                   largest_coordinate(query.patches[1].velocities));
   const int in_time = shift_into(fastest, scale);
@@ -63,8 +93,7 @@ void bring_to_scale(Query& query, int scale) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);
   }
   query.t_max = std::ldexp(query.t_max, -in_time);
-  if (!is_of_bodies(query)) return;
-  while (largest_motion(query) > std::ldexp(1.0, scale)) query.t_max /= 2;
+  while (!stays_within(query, scale)) query.t_max /= 2;
 }
 
 }  // namespace
@@ -135,8 +164,7 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
 Case HuntGround::fitted(Case value) const {
   Query& query = value.query;
   const bool are_bodies = is_of_bodies(query);
-  const bool can_be_decided =
-      are_bodies || (is_linear_query(query) && !has_ends(query) && !is_trimmed(query));
+  const bool can_be_decided = are_bodies || (is_linear_query(query) && !is_trimmed(query));
   if (!can_be_decided || Domain::broken_by(query).empty()) return value;
   const Query before = query;
   const double least = scale ? std::ldexp(1.0, -*scale) : 0;
@@ -146,7 +174,9 @@ Case HuntGround::fitted(Case value) const {
     constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
     if (binary32) x = nearest_float(std::clamp(x, -kMost, kMost));
   };
+  const double separation = binary32 ? nearest_float(query.separation) : query.separation;
   for_each_number(query, fit);
+  if (!are_bodies) query.separation = separation;  // which may be small
   if (binary32 && are_bodies) {
     give_as_floats(query);
     for_each_number(query, fit);  // what has become small
@@ -161,10 +191,14 @@ Case HuntGround::fitted(Case value) const {
     if (patch.turn && fault_of(*patch.turn)) patch.turn.reset();  // what is left of it is none
   }
   if (query == before) return value;
-  if (!are_bodies) {
-    // A planted contact comes at t_max; it may come a little later now.
-    query.t_max *= 2;
-    if (scale) query.t_max = std::min(query.t_max, std::ldexp(1.0, *scale));
+  if (!are_bodies && !has_ends(query)) {
+    const double until = query.t_max;
+    for (const double factor : {2.0, kALittleLonger, 1.0}) {
+      query.t_max = factor * until;
+      if (binary32) query.t_max = nearest_float(query.t_max);
+      if (scale) query.t_max = std::min(query.t_max, std::ldexp(1.0, *scale));
+      if (!scale || stays_within(query, *scale)) break;
+    }
   }
   const std::optional<Case> decided = decided_case(query);
   value.truth = decided ? decided->truth : Truth();

@@ -55,7 +55,22 @@ BodyKinds common(const BodyKinds& some, const BodyKinds& others) {
   return both;
 }
 
+/// Whether all numbers are within the scale, but for a separation, which may be smaller: it is no
+/// size of what simulations hold, but a gap.
+bool is_of_scale(const Query& query, int scale) {
+  if (query.separation == 0 || query.separation > 1) return is_within_scale(query, scale);
+  Query touching = query;
+  touching.separation = 0;
+  return is_within_scale(touching, scale);
+}
+
 }  // namespace
+
+bool stays_within(const Query& query, int scale) {
+  const bool are_bodies = is_of_bodies(query);
+  const double farthest = are_bodies ? largest_motion(query) : largest_coordinate_at_ends(query);
+  return farthest <= std::ldexp(1.0, scale);
+}
 
 std::optional<bool> Domain::order_of(const Query& query) const {
   if (pairs.empty()) return false;
@@ -81,11 +96,13 @@ std::string Domain::broken_by(const Query& query) const {
   if (binary32 && are_bodies && !are_given_as_floats(query)) {
     return "takes floats, and a motion of these bodies or a capsule's middle is none";
   }
-  if (scale && !is_within_scale(query, *scale)) {
+  if (scale && !is_of_scale(query, *scale)) {
     return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
   }
-  if (scale && are_bodies && largest_motion(query) > std::ldexp(1.0, *scale)) {
-    return fmt::format("takes bodies that move by 2^{} at most", *scale);
+  if (scale && !stays_within(query, *scale)) {
+    return are_bodies
+               ? fmt::format("takes bodies that move by 2^{} at most", *scale)
+               : fmt::format("takes patches whose points are within 2^{} at t_max, too", *scale);
   }
   if (small_spins && std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
         return body.turn && spun(*body.turn) * query.t_max > std::numbers::pi / 4;

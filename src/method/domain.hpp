@@ -23,8 +23,8 @@ struct Domain {
   using Pair = std::array<Side, 2>;
   std::vector<Pair> pairs = {};  ///< empty: all
   BodyKinds body_kinds = {};     ///< empty: all
-  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]. A body moves by no more than
-  /// 2^scale along an axis, nor do both against each other.
+  /// Each number is 0 or of a magnitude in [2^-scale, 2^scale]; a separation may be smaller. Each
+  /// stays_within that.
   std::optional<int> scale = {};
   /// Each number is a float, and bodies are given as floats (body_motion.hpp).
   bool binary32 = false;
@@ -49,6 +49,10 @@ struct Domain {
   /// In a few words, without the pairs; empty: all.
   std::string text() const;
 };
+
+/// Whether the control points of patches are within 2^scale, at t_max, too. Whether a body moves by
+/// no more than that along an axis, nor both against each other.
+bool stays_within(const Query& query, int scale);
 
 /// Vertex-face and edge-edge: the pairs of a linear mesh.
 inline std::vector<Domain::Pair> linear_pairs() {

@@ -18,6 +18,14 @@ struct Features {
   bool meshes = false, one_sided = false;
   /// Patches with a trim.
   bool trims = false;
+  /// Patches that come nearer than this count for it as touching. So it takes separations below
+  /// this, of which it is not told. ≥ 0, finite; 0 where it takes all separations.
+  double kept_separation = 0;
 };
+
+/// Whether a method knows a separation by its claim to keep patches apart, and is not told.
+constexpr bool is_kept(double separation, const Features& features) {
+  return !features.separation && separation > 0 && separation < features.kept_separation;
+}
 
 }  // namespace ccdfuzz

@@ -8,7 +8,8 @@ namespace ccdfuzz {
 
 TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&query) {
   const auto& [a, b] = query.patches;
-  const bool is_apart = query.separation > 0 && !features.separation;
+  const bool is_untold = !is_of_bodies(query) && is_kept(query.separation, features);
+  const bool is_apart = query.separation > 0 && !features.separation && !is_untold;
   const bool is_of_ends = has_ends(query) && !features.ends;
   const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;
   const bool has_bodies = is_of_bodies(query) && !features.bodies;
@@ -21,8 +22,8 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
     return !body.faces.empty() && !(body.one_sided ? features.one_sided : features.meshes);
   });
   const bool has_trims = is_trimmed(query) && !features.trims;
-  const bool is_taken = !is_apart && !is_of_ends && !is_weighted && !has_bodies && !has_turning &&
-                        !has_meshes && !has_trims;
+  const bool is_taken = !is_apart && !is_untold && !is_of_ends && !is_weighted && !has_bodies &&
+                        !has_turning && !has_meshes && !has_trims;
   if (is_taken || !is_valid(query)) return;
   why_ = has_trims     ? "takes whole patches, and one of this query is trimmed"
          : has_meshes  ? (features.meshes      ? "takes no one-sided meshes"
@@ -38,6 +39,10 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
     query_ = converted_ ? &*converted_ : nullptr;
     why_ = why_not;
   };
+  if (query_ != nullptr && is_untold) {
+    use(query, "");
+    converted_->separation = 0;
+  }
   if (query_ != nullptr && is_of_ends) {
     use(with_velocities(*query_),
         "takes velocities, and not all ends − positions of this query are doubles");

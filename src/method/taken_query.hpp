@@ -8,8 +8,9 @@
 namespace ccdfuzz {
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and
-/// without weights, where it does not take those. Where the query is taken as it is, or is not
-/// valid, it is not copied.
+/// without weights, where it does not take those. A separation that is kept (is_kept) is left out:
+/// the answer is judged by the truth of the query with it. Where the query is taken as it is, or is
+/// not valid, it is not copied.
 class TakenQuery {
  public:
   TakenQuery(const Query& query, const Features& features);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/taken_query.hpp"
@@ -106,6 +107,26 @@ TEST(Draw, OffersLinearCodesEndsAndSeparations) {
     }
   }
   EXPECT_EQ(seen, (std::set<std::string>{"linear", "ends", "separated"}));
+}
+
+TEST(Draw, OffersFloatCodesEndsAndWhatIsNearerThanTheyKeep) {
+  HuntGround ground;
+  ground.pairs = linear_pairs();
+  ground.binary32 = ground.ordinary = true;
+  ground.scale = 7;
+  const Draws draws(1, ground, {.ends = true, .kept_separation = 0.001});
+  int all = 0, of_ends = 0, near = 0;
+  for (std::uint64_t n = 0; n < 60; ++n) {
+    for (const CheckedCase& asked : draws.at(ContactClass::kVF, n)) {
+      ++all;
+      of_ends += has_ends(asked.query()) ? 1 : 0;
+      Query touching = asked.query();
+      touching.separation = 0;
+      near += asked.collides() == true && decide(touching).truth.collides == false ? 1 : 0;
+    }
+  }
+  EXPECT_GT(2 * of_ends, all);
+  EXPECT_GE(near, 2);
 }
 
 TEST(Draw, OffersBodiesThatTurnToWhoTakesThem) {

@@ -144,6 +144,16 @@ TEST(Ground, FloatsHaveATruthOfTheirOwn) {
   EXPECT_EQ(ground.fitted(known), known) << "of curves the truth may be unknown";
 }
 
+TEST(Ground, PatchesStayWithinTheScale) {
+  Case known;
+  known.query.patches.fill({Shape::point(), {{100, 0, 0}}, {{27, 0, 0}}});
+  HuntGround ground;
+  ground.scale = 7;
+  EXPECT_EQ(ground.broken_by(known), "");
+  known.query.t_max = 2;
+  EXPECT_EQ(ground.broken_by(known), "takes patches whose points are within 2^7 at t_max, too");
+}
+
 TEST(Ground, WhatNoMethodTakesIsAnError) {
   EXPECT_TRUE(narrowed({}, {"tdibm-c", "oracle"}));
   HuntGround bodies;

@@ -8,6 +8,7 @@
 
 #include "admitted.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "method/ask.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/line_protocol.hpp"
@@ -228,6 +229,26 @@ TEST(PluginClaims, AMinimumSeparationExcusesAHitWithinItAndBindsWhoIsConservativ
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.25" + kConservative, far), "correct");
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.26" + kConservative, far), "missed");
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.26", far), "correct");
+}
+
+TEST(PluginClaims, AMinimumSeparationBindsWhereNothingTouches) {
+  // Points that pass each other at 1/4. The claim says so, and the plug-in is not told.
+  Case near = meeting_at(1, 2);
+  for (Vec3<double>& p : near.query.patches[1].positions) p[2] = 0.25;
+  near.query.separation = 0.25;
+  near.truth = decide(near.query).truth;
+  const std::string claim = std::string(kConservative) + ":separation=0.26";
+  EXPECT_EQ(outcome_of(kMiss + claim, near), "missed");
+  EXPECT_EQ(outcome_of(hit(1) + claim, near), "correct");
+  EXPECT_EQ(outcome_of(hit(1.5) + claim, near), "late");
+  for (const char* other :
+       {":claims=7:separation=0.25", ":claims=3:separation=0.26", ":separation=0.26"}) {
+    EXPECT_EQ(outcome_of(kMiss + other, near), "not_asked") << other;
+  }
+  near.query.t_max = 0.75;  // they are sqrt(2)/4 apart then, more than what is claimed in all
+  near.truth = decide(near.query).truth;
+  EXPECT_EQ(outcome_of(hit(0.75) + claim + ":tolerance=0.09:kind=2", near), "false_positive");
+  EXPECT_EQ(outcome_of(hit(0.75) + claim + ":tolerance=0.1:kind=2", near), "correct");
 }
 
 TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {

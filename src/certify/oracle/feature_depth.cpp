@@ -93,18 +93,23 @@ Rational squared_of_edges(const Corners& from, const Corners& to) {
   return least;
 }
 
-/// How much nearer than the separation the points of a witness come in [its time, until].
+/// How much nearer than the separation the points of a witness come in [its time, until], or the
+/// patches at `until`.
 double depth_within_separation(const Query& query, const Witness& witness, const Rational& until) {
+  const auto patches = linear::exact_patches(query);
   const auto gap_at = [&](const Rational& t) {
-    const auto& [a, b] = linear::exact_patches(query);
-    return Vec3<Rational>(evaluate(a, witness.uv[0], t) - evaluate(b, witness.uv[1], t));
+    return Vec3<Rational>(evaluate(patches[0], witness.uv[0], t) -
+                          evaluate(patches[1], witness.uv[1], t));
   };
   const Vec3<Rational> from = gap_at(witness.t), way = gap_at(until) - from;
   const Rational length = dot(way, way);
   Rational share = length == 0 ? Rational(0) : Rational(-dot(from, way) / length);
   share = std::clamp(share, Rational(0), Rational(1));
   const Vec3<Rational> nearest = from + way * share;
-  return std::max(0.0, round_down(exact(query.separation) - root_above(dot(nearest, nearest))));
+  NearestPoints nearest_at_end;
+  const Rational at_end = nearest_at_end(patches[0].at(until), patches[1].at(until)).squared;
+  const Rational squared = std::min(Rational(dot(nearest, nearest)), at_end);
+  return std::max(0.0, round_down(exact(query.separation) - root_above(squared)));
 }
 
 }  // namespace

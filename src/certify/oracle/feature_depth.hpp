@@ -8,8 +8,8 @@ namespace ccdfuzz {
 /// moves one of them by less than this, in any direction, leaves a contact in that time. It is a
 /// lower bound of the largest such length. It is 0 for a contact at the edge of a face, and for
 /// queries of other kinds. With a separation it is that of the touch, where they touch, too. Or it
-/// is how much nearer than the separation the points of the witness come, if that is more. A move
-/// changes this by no more than its length.
+/// is how much nearer than the separation the points of the witness come, or both at the end, if
+/// that is more. A move changes this by no more than its length.
 ///
 /// Proof. The differences of points of the two are a triangle or a parallelogram whose corners move
 /// linearly. In a time [t1, t2] it sweeps a solid cell; the cell's surface is the polygon at t1 and

@@ -205,8 +205,9 @@ typedef struct ccdfuzz_description {
   double minimum_separation;
   /* NULL, or the sentence that it is held to, with a link: reports show it. */
   const char* promise;
-  /* 0, or N: it is asked only about numbers that are 0 or of a magnitude in [2^-N, 2^N]. Bodies
-   * move by 2^N at most along an axis, each and against each other. */
+  /* 0, or N: it is asked only about numbers that are 0 or of a magnitude in [2^-N, 2^N]. Points
+   * of patches are within 2^N at t_max, too, and a separation may be smaller. Bodies move by 2^N at
+   * most along an axis, each and against each other. */
   uint64_t within;
   /* body_count of them: each body of a query that it is asked is of one. None: all bodies are. */
   const ccdfuzz_body_kind* bodies;

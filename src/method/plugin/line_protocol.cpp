@@ -314,6 +314,10 @@ tl::expected<PluginDescription, Fault> read_description(const std::string& line)
       object, "its description", [&](const JsonCursor& top) { read_json(top, description); });
   if (!read) return answer_fault(kRefusal, read.error().message());
   CCDFUZZ_TRY_VOID(check_claims(description));
+  // Patches that are as near from the start need no hit of one that counts no contact at 0.
+  if (description.conservative && description.contact_at_zero) {
+    description.features.kept_separation = description.minimum_separation;
+  }
   description.line = line;
   return description;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "case/scale.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 
@@ -36,6 +37,10 @@ AnswerTerms terms_of(const PluginDescription& claims, const PluginAnswer& given,
   }
   terms.space_tolerance = std::min(claims.minimum_separation + (in_space ? tolerance : 0),
                                    std::numeric_limits<double>::max());
+  // It is not told this separation: it may keep what the claim has beyond it, rounded up.
+  if (is_kept(query.separation, claims.features)) {
+    terms.space_tolerance = round_up(exact(terms.space_tolerance) - exact(query.separation));
+  }
   if (!in_space) terms.early_tolerance = tolerance;
   if (claims.conservative) {
     terms.kept_separation = claims.minimum_separation;

@@ -1,0 +1,164 @@
+#include "hunt/varied.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/nearest_float.hpp"
+#include "case/scale.hpp"
+#include "certify/checker/check_linear.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// x rounded down to 12 bits: a float, that is, and nearer to x than by 2^-11 of it.
+double rounded_down(double x) {
+  constexpr int kBits = 12;
+  int exponent = 0;
+  const double part = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(part, kBits)), exponent - kBits);
+}
+
+/// The same motion from 0 to t_max / until, by the positions at 0 and at 1, asked up to `until`.
+Query by_ends(const Query& query, double until, const HuntGround& ground) {
+  Query out = query;
+  const double step = query.t_max / until, least = ground.scale ? std::ldexp(1, -*ground.scale) : 0;
+  for (MovingPatch<double>& patch : out.patches) {
+    patch.ends = patch.positions;
+    for (size_t i = 0; i < patch.ends.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        double& x = patch.ends[i][k];
+        x += step * patch.velocities[i][k];
+        if (ground.binary32) x = nearest_float(x);
+        if (std::abs(x) < least) x = 0;
+      }
+    }
+    patch.velocities.clear();
+  }
+  out.t_max = until;
+  return out;
+}
+
+/// The query in units of time in which its speeds are well within the scale, with its numbers
+/// rounded as the ground has them.
+void fit(Query& query, const HuntGround& ground) {
+  double fastest = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    fastest = std::max(fastest, largest_coordinate(patch.velocities));
+  }
+  const int faster = ground.scale && fastest > 0 ? -2 - std::ilogb(fastest) : 0;
+  const double least = ground.scale ? std::ldexp(1, -*ground.scale) : 0;
+  const auto round = [&](double& x) {
+    if (ground.binary32) x = nearest_float(x);
+    if (std::abs(x) < least) x = 0;
+  };
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1, faster);
+    for_each_coordinate(patch, round);
+  }
+  query.t_max = std::ldexp(query.t_max, -faster);
+  round(query.t_max);
+}
+
+/// The query in units of which the claim is about a hundredth of the patches' size.
+void bring_to_claim(Query& query, double kept, const HuntGround& ground, Draw& draw) {
+  const int claim = std::ilogb(kept);
+  // What comes nearer than the claim by a part of it is not shallow then (is_shallow).
+  const int most = ground.ordinary ? 7 : 12;
+  const int least = ground.scale ? std::clamp(3 - *ground.scale - claim, 4, most) : 4;
+  double size = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      size = std::max(size, (p - patch.positions[0]).cwiseAbs().maxCoeff());
+    }
+  }
+  const int wanted = claim + draw.integer(least, most);
+  if (size == 0) return;
+  const int shift = wanted - std::ilogb(size);
+  for (MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, shift); });
+  }
+}
+
+/// The query of a case at a separation, from a little before patches are as near as that until just
+/// before they touch, or t_max. nullopt if they are never as near, or at once.
+std::optional<Query> before_touch(const Case& near, const HuntGround& ground, Draw& draw) {
+  Query touching = near.query;
+  touching.separation = 0;
+  const std::optional<Case> touch = decided_case(touching);
+  if (!touch || near.truth.collides != true) return std::nullopt;
+  const double first = near.truth.contact_by()->get_d();
+  const double last =
+      touch->truth.collides == true ? touch->truth.contact_by()->get_d() : near.query.t_max;
+  const double way = last - first;
+  const double from = std::max(0.0, first - std::ldexp(way, draw.integer(0, 6)));
+  Query out = near.query;
+  out.t_max = first + 0.75 * way - from;
+  for (MovingPatch<double>& patch : out.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] += from * patch.velocities[i];
+    }
+  }
+  fit(out, ground);
+  return out;
+}
+
+/// The case at a separation. kept: the claim that it is to be just below, or 0.
+std::optional<Case> at_separation(const Case& value, const HuntGround& ground, double kept,
+                                  Draw& draw) {
+  Query apart = value.query;
+  if (kept > 0) {
+    bring_to_claim(apart, kept, ground, draw);
+    fit(apart, ground);
+    apart.separation = rounded_down(kept * (1 - 0x1p-10));
+  } else {
+    const int size = std::ilogb(largest_coordinate(apart)) - draw.integer(5, 12);
+    apart.separation = std::ldexp(4 + draw.integer(0, 3), size);
+  }
+  std::optional<Case> made = decided_case(apart);
+  if (made && kept > 0 && draw.coin()) {
+    if (const auto begun = before_touch(*made, ground, draw)) made = decided_case(*begun);
+  }
+  return made;
+}
+
+}  // namespace
+
+std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
+                           Draw& draw) {
+  const Query& query = value.query;
+  const bool is_plain = is_linear_query(query) && !has_ends(query) && !is_trimmed(query) &&
+                        query.separation == 0 && query.t_max > 0;
+  if (ground.uniform || !is_plain) return std::nullopt;
+  // Elsewhere families of generators are enough.
+  const bool is_limited = ground.binary32 || ground.scale || ground.ordinary;
+  const double kept = features.separation ? 0 : features.kept_separation;
+  const bool is_apart =
+      kept > 0 ? draw.below(3) == 0 : features.separation && is_limited && draw.below(6) == 0;
+  // What is asked as it is comes up to four times (forms_of).
+  const bool is_of_ends = features.ends && is_limited &&
+                          draw.below(8) < (ground.binary32 ? std::uint64_t{7} : std::uint64_t{4});
+  std::optional<Case> made;
+  if (is_apart) made = at_separation(value, ground, kept, draw);
+  if (made && !ground.has(*made)) made.reset();
+  constexpr int kTries = 3;
+  for (int left = is_of_ends ? kTries : 0; left > 0; --left) {
+    Query moving = made ? made->query : query;
+    // A contact that is planted comes at t_max, or well before that.
+    if (!made) moving.t_max *= draw.pick(std::array{1.0, 1.5, 2.0, 2.0});
+    const double until = made || draw.below(4) > 0 ? 1 : 0.5;
+    std::optional<Case> of_ends = decided_case(by_ends(moving, until, ground));
+    if (!of_ends || !ground.has(*of_ends)) continue;
+    made = std::move(of_ends);
+    break;
+  }
+  if (made) {
+    made->origin.generator = value.origin.generator;
+    made->origin.seed = value.origin.seed;
+    made->origin.index = value.origin.index;
+  }
+  return made;
+}
+
+}  // namespace ccdfuzz
