@@ -72,7 +72,7 @@ TEST(Memory, PeakStaysWithinTheBudgetAndLittleIsKept) {
 /// Regular contacts of two faces of the shape, at a separation.
 void expect_few_pops_apart(const char* method_name, const Shape& shape) {
   const auto method = *make_method(method_name);
-  GeneratorOptions options{.family = Family::kSeparated, .shapes = {shape, shape}};
+  GeneratorOptions options{.family = Family::kSeparated, .shapes = std::array{shape, shape}};
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case apart = generate(options, i).value;
     const Answer answer = method->answer(apart.query, {.max_pops = 2000});
