@@ -81,6 +81,16 @@ void bring_to_claim(Query& query, double kept, const HuntGround& ground, Draw& d
   }
 }
 
+/// Both patches in planes that an axis is normal to, which stay that: then nothing but a plane
+/// across the axis is between their boxes.
+void level(Query& query, int k) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<double>& p : *points) p[k] = points->front()[k];
+    }
+  }
+}
+
 /// The query of a case at a separation, from a little before patches are as near as that until just
 /// before they touch, or t_max. nullopt if they are never as near, or at once.
 std::optional<Query> before_touch(const Case& near, const HuntGround& ground, Draw& draw) {
@@ -110,6 +120,7 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
   Query apart = value.query;
   if (kept > 0) {
     bring_to_claim(apart, kept, ground, draw);
+    if (draw.below(3) == 0) level(apart, draw.integer(0, 2));
     fit(apart, ground);
     apart.separation = rounded_down(kept * (1 - 0x1p-10));
   } else {
@@ -117,7 +128,7 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
     apart.separation = std::ldexp(4 + draw.integer(0, 3), size);
   }
   std::optional<Case> made = decided_case(apart);
-  if (made && kept > 0 && draw.coin()) {
+  if (made && kept > 0 && draw.below(4) > 0) {
     if (const auto begun = before_touch(*made, ground, draw)) made = decided_case(*begun);
   }
   return made;
@@ -135,7 +146,7 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
   const bool is_limited = ground.binary32 || ground.scale || ground.ordinary;
   const double kept = features.separation ? 0 : features.kept_separation;
   const bool is_apart =
-      kept > 0 ? draw.below(3) == 0 : features.separation && is_limited && draw.below(6) == 0;
+      kept > 0 ? draw.coin() : features.separation && is_limited && draw.below(6) == 0;
   // What is asked as it is comes up to four times (forms_of).
   const bool is_of_ends = features.ends && is_limited &&
                           draw.below(8) < (ground.binary32 ? std::uint64_t{7} : std::uint64_t{4});

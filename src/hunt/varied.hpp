@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// A case of linear patches as a method may be asked it in another way, with its truth decided
 /// anew. It may have two positions of each control point, at 0 and at 1, rounded to floats where
 /// the ground is of these. It may have a separation. Where a claim keeps patches apart, that is
-/// just below the claim. Then half of the queries end before a touch. How often depends on what
+/// just below the claim. Then most of the queries end before a touch. How often depends on what
 /// the method takes, and on the ground: most are of ends where numbers are floats. nullopt: it is
 /// asked as it is.
 std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
