@@ -290,8 +290,8 @@ CommandLine::CommandLine(const std::vector<Property>& properties, FindSuite find
   app_->set_version_flag("-V,--version", CCDFUZZ_VERSION, "Show the version");
   app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
   app_->footer(
-      "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, or a file that cannot\n"
-      "be written, 3 internal error or no process to start, 128 + the signal:\n"
+      "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, or a file that\n"
+      "cannot be written, 3 internal error or no process to start, 128 + the signal:\n"
       "interrupted (130 by Ctrl-C). Help: ccdfuzz help COMMAND");
   add_help();
 }
