@@ -134,7 +134,7 @@ void check_judged(Draw& d) {
   CLAIM(depth >= at_start / 2);  // those that turn are rounded to about 2^-57 of a coordinate
   Answered answer;
   AnswerTerms& terms = answer.terms;
-  terms.depth_tolerance = terms.space_tolerance = depth * d.pick(std::array{0.0, 0.5, 2.0});
+  terms.depth_tolerance = terms.space_tolerance = depth * d.pick(std::array{0.0, 0.5, 0.9, 2.0});
   const auto outcome = [&](const Answer& said) {
     static_cast<Answer&>(answer) = said;
     return show(d, "outcome", outcome_of(checked, answer, true));
