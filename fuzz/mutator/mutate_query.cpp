@@ -24,9 +24,7 @@ struct BodyChange {
   double& number() const { return draw.below(3) == 0 ? velocity()[k] : hull.positions[point][k]; }
   bool is_body() const { return hull.shape.kind == ShapeKind::kHull; }
   /// Or the end.
-  Vec3<double>& velocity() const {
-    return (hull.has_ends() ? hull.ends : hull.velocities)[is_body() ? 0 : point];
-  }
+  Vec3<double>& velocity() const { return hull.moves()[is_body() ? 0 : point]; }
   const Vec3<double>& other_point() const {
     return donor.positions[draw.below(donor.positions.size())];
   }

@@ -193,7 +193,7 @@ void Draws::add_not_plain(std::vector<Source>& sources, ContactClass contact,
 
 Case Draws::below_claim(Case value) const {
   const double kept = features_.kept_separation, separation = value.query.separation;
-  if (features_.separation || kept == 0 || separation == 0) return value;
+  if (kept == 0 || separation == 0) return value;
   int exponent = std::ilogb(kept) - std::ilogb(separation);
   if (std::ldexp(separation, exponent) >= kept) --exponent;
   return similar(value, {.space = exponent}).value_or(value);

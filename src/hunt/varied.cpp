@@ -144,7 +144,7 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
   if (ground.uniform || !is_plain) return std::nullopt;
   // Elsewhere families of generators are enough.
   const bool is_limited = ground.binary32 || ground.scale || ground.ordinary;
-  const double kept = features.separation ? 0 : features.kept_separation;
+  const double kept = features.kept_separation;
   const bool is_apart =
       kept > 0 ? draw.coin() : features.separation && is_limited && draw.below(6) == 0;
   // What is asked as it is comes up to four times (forms_of).

@@ -25,7 +25,7 @@ struct Features {
 
 /// Whether a method knows a separation by its claim to keep patches apart, and is not told.
 constexpr bool is_kept(double separation, const Features& features) {
-  return !features.separation && separation > 0 && separation < features.kept_separation;
+  return separation > 0 && separation < features.kept_separation;
 }
 
 }  // namespace ccdfuzz

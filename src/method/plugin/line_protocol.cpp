@@ -315,7 +315,7 @@ tl::expected<PluginDescription, Fault> read_description(const std::string& line)
   if (!read) return answer_fault(kRefusal, read.error().message());
   CCDFUZZ_TRY_VOID(check_claims(description));
   // Patches that are as near from the start need no hit of one that counts no contact at 0.
-  if (description.conservative && description.contact_at_zero) {
+  if (description.conservative && description.contact_at_zero && !description.features.separation) {
     description.features.kept_separation = description.minimum_separation;
   }
   description.line = line;
