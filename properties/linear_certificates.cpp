@@ -219,8 +219,7 @@ std::vector<Property> linear_certificates_claims() {
   return {
       {"checker.refuses_wrong_linear_clearances",
        "A linear clearance, also at a separation, is accepted iff it ends before the first "
-       "contact, "
-       "or with it and open",
+       "contact, or with it and open",
        kSource, check_clearance_of_linear},
       {"checker.refuses_wrong_roots",
        "The root of a contact, also at a separation, is accepted, and after a change only if it is "

@@ -9,7 +9,7 @@
 #include "ccd/search.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_linear.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
@@ -83,8 +83,7 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw, double
   show(draw, "contact", value);
   CLAIM(!trace.lost);
   // tdibm-c has no cells of linear patches, unless they are trimmed.
-  const bool has_cells =
-      method != "tdibm-c" || !is_linear_query(value.query) || is_trimmed(value.query);
+  const bool has_cells = method != "tdibm-c" || !is_decided_linearly(value.query);
   show(draw, "levels", trace.levels);
   CLAIM(!has_cells || trace.levels == depth_for(precision));
 }

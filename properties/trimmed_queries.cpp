@@ -86,7 +86,7 @@ void check_trim_hits(Draw& d) {
   }
 }
 
-constexpr OracleOptions kLittle{.max_pops = 300, .max_tree_nodes = 1000};
+const OracleOptions kLittle{.max_pops = 300, .max_tree_nodes = 1000};
 
 /// A point meets the plane of a trimmed triangle at a place that counts or does not.
 void check_trim_linear(Draw& d) {

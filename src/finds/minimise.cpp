@@ -6,7 +6,6 @@
 
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
@@ -48,11 +47,6 @@ bool is_within_separation(const Contact& q) {
   return q.query.separation > 0 && validate(q.query, "") && check_witness(q.query, q.witness());
 }
 
-/// The linear decision is about whole patches.
-bool is_decided_linearly(const Query& query) {
-  return is_linear_query(query) && !is_trimmed(query);
-}
-
 /// The plane that proves that nothing touches, if one does.
 const MovingPlane* plane_of(const Case& value) {
   return value.truth.clearance ? std::get_if<MovingPlane>(&*value.truth.clearance) : nullptr;
@@ -84,7 +78,7 @@ class Minimiser {
     best_ = {found_.query, Dyadic(), {}};
     if (is_false_negative(failure_)) {
       // Many contacts of linear patches come at a time that is no fraction.
-      const bool is_decided = is_of_bodies(found_.query) || is_decided_linearly(found_.query);
+      const bool is_decided = is_decided_exactly(found_.query);
       const auto witnessed = is_decided ? contact_of(found_) : near_contact_of(found_);
       keeps_witness_ = witnessed.has_value();
       if (witnessed) best_ = *witnessed;

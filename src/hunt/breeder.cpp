@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_linear.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
@@ -73,8 +73,7 @@ const Contact& Breeder::mother() {
 
 bool Breeder::decides_anew(const Query& query) const {
   const bool is_rounded = ground_.binary32 || is_kept(query.separation, features_);
-  return is_of_bodies(query) ||
-         (is_rounded && !traceable_ && is_linear_query(query) && !is_trimmed(query));
+  return is_of_bodies(query) || (is_rounded && !traceable_ && is_decided_linearly(query));
 }
 
 /// A mutant that is apart at the start, with its truth; three in four that then miss do not drift.

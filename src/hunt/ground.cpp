@@ -10,7 +10,6 @@
 #include "base/nearest_float.hpp"
 #include "case/body_motion.hpp"
 #include "case/scale.hpp"
-#include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
 #include "generators/contact.hpp"
@@ -164,8 +163,7 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
 Case HuntGround::fitted(Case value) const {
   Query& query = value.query;
   const bool are_bodies = is_of_bodies(query);
-  const bool can_be_decided = are_bodies || (is_linear_query(query) && !is_trimmed(query));
-  if (!can_be_decided || Domain::broken_by(query).empty()) return value;
+  if (!is_decided_exactly(query) || Domain::broken_by(query).empty()) return value;
   const Query before = query;
   const double least = scale ? std::ldexp(1.0, -*scale) : 0;
   if (scale) bring_to_scale(query, *scale);

@@ -5,7 +5,6 @@
 #include <exception>
 
 #include "case/mesh.hpp"
-#include "certify/checker/check_linear.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -50,8 +49,9 @@ Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ord
 
 void decide_unknown(NamedCase& named) {
   const Query& query = named.value.query;
-  const bool is_exact = is_of_bodies(query) || (is_linear_query(query) && !is_trimmed(query));
-  if (is_exact && named.value.truth == Truth()) named.value.truth = decide(query).truth;
+  if (is_decided_exactly(query) && named.value.truth == Truth()) {
+    named.value.truth = decide(query).truth;
+  }
 }
 
 Result<CheckedCase> decided_and_checked(NamedCase& named) {

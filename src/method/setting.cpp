@@ -126,7 +126,7 @@ bool touches_any_side_at_start(Query query) {
 
 bool touches_at_start(const Query& query) {
   if (is_of_bodies(query)) return touches_any_side_at_start(query);
-  return query.separation == 0 && is_linear_query(query) && !is_trimmed(query) &&
+  return query.separation == 0 && is_decided_linearly(query) &&
          !check_linear_clearance(query, {Rational(0), true});
 }
 

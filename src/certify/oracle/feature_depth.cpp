@@ -117,8 +117,7 @@ double depth_within_separation(const Query& query, const Witness& witness, const
 double feature_depth(const Case& known, double until) {
   const Query& query = known.query;
   const auto& [witness, root] = std::pair(known.truth.witness, known.truth.contact_root);
-  const bool is_plain = linear::is_linear(query) && !is_trimmed(query);
-  if (!is_plain || is_of_bodies(query) || (!witness && !root)) return 0;
+  if (!is_decided_linearly(query) || (!witness && !root)) return 0;
   if (query.separation > 0) {
     if (!witness || witness->t <= 0 || witness->t >= exact(until)) return 0;
     Case touching;

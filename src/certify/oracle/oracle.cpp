@@ -227,6 +227,14 @@ void conclude(const Query& query, Truth& truth) {
   truth.proof = proof_word(*truth.clearance);
 }
 
+bool is_decided_linearly(const Query& query) {
+  return linear::is_linear(query) && !is_trimmed(query);
+}
+
+bool is_decided_exactly(const Query& query) {
+  return is_of_bodies(query) || is_decided_linearly(query);
+}
+
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;

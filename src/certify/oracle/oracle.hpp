@@ -58,6 +58,11 @@ void conclude(const Query& query, Truth& truth);
 /// note. Keeps two solvers for each thread that asked, each at most kKeptBytes.
 Decision decide(const Query& query, const OracleOptions& options = {});
 
+/// Whether linear arithmetic decides a query of patches, which is about whole ones.
+bool is_decided_linearly(const Query& query);
+/// Whether exact arithmetic decides a query, but for limits: that, or bodies.
+bool is_decided_exactly(const Query& query);
+
 /// decide as a method. toi is the certified clear time: no contact comes before it. What is no
 /// question (is_question) is refused.
 class Oracle {
