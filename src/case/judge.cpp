@@ -85,8 +85,8 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
     if (!is_finite(uv[0]) || !is_finite(uv[1])) return false;
     TrimRegion region;
     region.assign(query.patches[side]);
-    if (!region.contains(uv)) return false;
     where[side] = into_domain(query.patches[side].shape, uv);
+    if (!region.contains({round_down(where[side][0]), round_down(where[side][1])})) return false;
   }
   const Rational most = exact(query.separation) + exact(tolerance);
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;

@@ -23,11 +23,11 @@ struct QueryOptions {
   SearchFlags search;
 };
 
-/// The exact number, or where that is long the nearest double.
+/// The exact number, or where that is long a double next to it.
 std::string time_text(const Rational& t) {
   constexpr size_t kLong = 20;
   const std::string text = to_text(t);
-  return text.size() <= kLong ? text : fmt::format("{:.10g}", t.get_d());
+  return text.size() <= kLong ? text : fmt::format("{}", t.get_d());
 }
 
 /// A case to ask about, and its checked truth.

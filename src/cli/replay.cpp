@@ -74,6 +74,7 @@ struct Replayed {
   std::map<std::string, Expected> not_allowed;
   std::uint64_t not_taken = 0;    ///< by a method for all of whose answers something is expected
   std::uint64_t not_claimed = 0;  ///< contacts at 0 or t_max that such a method need not find
+  std::uint64_t not_known = 0;    ///< answers of which nothing is known that should be correct
   std::optional<InputError> not_proven;  ///< none if its truth holds
 };
 
@@ -128,8 +129,16 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     if (options.update) judged.depth = depth_of(*known, judged).value_or(0);
     result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged), differs});
   }
-  // A method need not answer a query that it does not take.
+  // A method need not answer a query that it does not take. Where it ended in an error before, an
+  // answer is what was wanted.
   if (options.expect) {
+    const auto& before = entry.value.expect;
+    result.not_known = std::erase_if(result.rows, [&](const ReplayRow& row) {
+      const auto stated = before.find(row.method);
+      const bool was_error = stated != before.end() && stated->second.outcome == Outcome::kError;
+      return *options.expect == Outcome::kCorrect && !known->value().truth.collides &&
+             row.got.outcome == Outcome::kUnknown && !was_error;
+    });
     result.not_taken = std::erase_if(
         result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
     if (*options.expect != Outcome::kUnknown && is_at_end(*known)) {
@@ -244,6 +253,7 @@ class Replay {
     }
     not_taken_ += done.not_taken;
     not_claimed_ += done.not_claimed;
+    not_known_ += done.not_known;
     session_.start_group(entry.id);
     for (const ReplayRow& row : done.rows) {
       expectations_.add(row.change());
@@ -298,7 +308,8 @@ class Replay {
     for (const std::string& method : options_.methods) {
       if (asked_.contains(method)) continue;
       session_.remark("{} was judged by nothing: {}", method,
-                      options_.expect ? "it takes no entry, or claims to find none of the contacts"
+                      options_.expect ? "it takes no entry whose truth is known, or claims to find "
+                                        "none of the contacts"
                                       : "no entry expects anything of it; see --expect");
       all = false;
     }
@@ -324,6 +335,10 @@ class Replay {
           "not claim to find",
           not_claimed_);
     }
+    if (not_known_ > 0) {
+      left_out += fmt::format("; {} not judged, as nothing is known of a contact (see prove)",
+                              not_known_);
+    }
     if (entries_ > 0 || claims_.total() == 0) {
       session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),
                                    counted(expectations_.total(), "expectation", "expectations"),
@@ -338,7 +353,7 @@ class Replay {
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, not_taken_ = 0, not_claimed_ = 0, not_proven_ = 0;
+  std::uint64_t entries_ = 0, not_taken_ = 0, not_claimed_ = 0, not_known_ = 0, not_proven_ = 0;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   Changes expectations_, claims_;

@@ -31,10 +31,11 @@ struct Patch {
   const ccdfuzz_patch& raw;
 
   std::size_t count() const { return static_cast<std::size_t>(raw.count); }
-  /// Coordinate k of control point i at time t. It ignores a turn or a spin of a body.
+  /// Coordinate k of control point i at time t, rounded, but for the ends at 1. It ignores a turn or
+  /// a spin of a body.
   double at(std::size_t i, int k, double t) const {
     const double p = raw.positions[i][k];
-    if (raw.ends != nullptr) return p + t * (raw.ends[i][k] - p);
+    if (raw.ends != nullptr) return t == 1 ? raw.ends[i][k] : p + t * (raw.ends[i][k] - p);
     return p + t * raw.velocities[raw.shape == CCDFUZZ_HULL ? 0 : i][k];
   }
   double weight(std::size_t i) const { return raw.weights != nullptr ? raw.weights[i] : 1; }
