@@ -336,8 +336,8 @@ class Replay {
           not_claimed_);
     }
     if (not_known_ > 0) {
-      left_out += fmt::format("; {} not judged, as nothing is known of a contact (see prove)",
-                              not_known_);
+      left_out +=
+          fmt::format("; {} not judged, as nothing is known of a contact (see prove)", not_known_);
     }
     if (entries_ > 0 || claims_.total() == 0) {
       session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "certify/checker/check_case.hpp"
@@ -152,9 +153,21 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& featu
     // Contacts at an edge or a corner of linear patches are shallow.
     if (are_deep && contact != ContactClass::kEE && contact != ContactClass::kVF) continue;
     auto& sources = sources_[static_cast<size_t>(contact)];
-    sources = sources_of(contact);
+    sources = ground_.bodies ? sources_of(contact) : spread(sources_of(contact));
     if (!sources.empty()) classes_.push_back(contact);
   }
+}
+
+/// The sources in an order in which any few that follow each other are of other shapes and
+/// families.
+std::vector<Draws::Source> Draws::spread(std::vector<Source> sources) {
+  const size_t count = sources.size();
+  // Near the golden ratio of the count.
+  size_t step = std::max<size_t>(1, count * 5 / 8);
+  while (std::gcd(step, count) != 1) ++step;
+  std::vector<Source> out;
+  for (size_t i = 0; i < count; ++i) out.push_back(std::move(sources[i * step % count]));
+  return out;
 }
 
 void Draws::add_source(std::vector<Source>& sources, ContactClass contact,

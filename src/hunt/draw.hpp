@@ -55,6 +55,7 @@ class Draws {
   Case below_claim(Case value) const;
   std::vector<Source> linear_sources(size_t pair) const;
   std::vector<Source> sources_of(ContactClass contact) const;
+  static std::vector<Source> spread(std::vector<Source> sources);
 
   std::uint64_t seed_;
   HuntGround ground_;

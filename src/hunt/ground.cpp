@@ -23,10 +23,13 @@ namespace {
 /// Shapes of degrees up to this are drawn where a method says how high they may be.
 constexpr int kMostDrawn = 3;
 
-/// A shape of a kind, of this degree where it has one.
-Shape shape_of(ShapeKind kind, int degree) {
-  if (kind == ShapeKind::kPoint) return Shape::point();
-  return {kind, degree, kind == ShapeKind::kTensor ? degree : 0};
+/// Shapes of a kind, of this degree where it has one; of a tensor, also of one less in v.
+std::vector<Shape> shapes_of(ShapeKind kind, int degree) {
+  if (kind == ShapeKind::kPoint) return {Shape::point()};
+  if (kind != ShapeKind::kTensor) return {{kind, degree, 0}};
+  std::vector<Shape> shapes = {{kind, degree, degree}};
+  if (degree > 1) shapes.push_back({kind, degree, degree - 1});
+  return shapes;
 }
 
 bool is_pair_of_hulls(const Domain::Pair& pair) {
@@ -151,10 +154,11 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
   for (const Pair& pair : pairs) {
     for (int degree = 1; degree <= kMostDrawn; ++degree) {
       const auto side = [&](size_t s) {
-        return shape_of(pair[s].shape, std::min(degree, static_cast<int>(pair[s].max_degree)));
+        return shapes_of(pair[s].shape, std::min(degree, static_cast<int>(pair[s].max_degree)));
       };
-      add({side(0), side(1)});
-      add({side(1), side(0)});
+      for (const Shape& first : side(0)) {
+        for (const Shape& second : side(1)) add({first, second}), add({second, first});
+      }
     }
   }
   return drawn;

@@ -6,6 +6,7 @@
 
 #include "base/nearest_float.hpp"
 #include "case/scale.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 
 namespace ccdfuzz {
@@ -134,6 +135,15 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
   return made;
 }
 
+/// The same case by the positions at 0 and at 1. nullopt if these are no doubles, or the motion
+/// ends at 1 before the truth does.
+std::optional<Case> by_exact_ends(Case value) {
+  const Query by_velocities = value.query;
+  for (MovingPatch<double>& patch : value.query.patches) give_rounded_ends(patch);
+  const bool is_same = with_velocities(value.query) == by_velocities;
+  return is_same && check_case(value) ? std::optional(std::move(value)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
@@ -141,9 +151,15 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
   const Query& query = value.query;
   const bool is_plain = is_linear_query(query) && !has_ends(query) && !is_trimmed(query) &&
                         query.separation == 0 && query.t_max > 0;
-  if (ground.uniform || !is_plain) return std::nullopt;
+  if (ground.uniform) return std::nullopt;
   // Elsewhere families of generators are enough.
   const bool is_limited = ground.binary32 || ground.scale || ground.ordinary;
+  if (!is_plain) {
+    const bool has_velocities = !has_ends(query) && !is_of_bodies(query);
+    if (!has_velocities || !features.ends || !is_limited || draw.coin()) return std::nullopt;
+    const std::optional<Case> of_ends = by_exact_ends(value);
+    return of_ends && ground.has(*of_ends) ? of_ends : std::nullopt;
+  }
   const double kept = features.kept_separation;
   const bool is_apart =
       kept > 0 ? draw.coin() : features.separation && is_limited && draw.below(6) == 0;

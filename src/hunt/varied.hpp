@@ -13,8 +13,8 @@ namespace ccdfuzz {
 /// anew. It may have two positions of each control point, at 0 and at 1, rounded to floats where
 /// the ground is of these. It may have a separation. Where a claim keeps patches apart, that is
 /// just below the claim. Then most of the queries end before a touch. How often depends on what
-/// the method takes, and on the ground: most are of ends where numbers are floats. nullopt: it is
-/// asked as it is.
+/// the method takes, and on the ground: most are of ends where numbers are floats. Other patches
+/// may have two positions that are the same motion. nullopt: it is asked as it is.
 std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
                            Draw& draw);
 

@@ -126,6 +126,13 @@ TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
   EXPECT_FALSE(tests.pass("verdict=1:toi=0x1.00004p-1:kind=1:tolerance=1e-6"));
 }
 
+TEST(Export, AsGoogleTestRefusesWhatAPluginIsNeverAskedInItsPlace) {
+  const ExportedTests tests(kReachesTheFace);
+  EXPECT_TRUE(tests.pass("verdict=4:within=1"));
+  EXPECT_TRUE(tests.pass("verdict=4:curves=1"));
+  EXPECT_FALSE(tests.pass("verdict=4:within=2"));
+}
+
 /// A point that is 1 above a face at 0 and on it at 1/2 is 1/4 above it at 3/8.
 TEST(Export, AsGoogleTestAsksForTheSeparationThatAConservativePluginClaims) {
   const ExportedTests tests(kReachesTheFace);

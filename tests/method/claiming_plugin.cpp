@@ -1,7 +1,7 @@
 // A plug-in that claims and answers what its options say: "claims=5:kind=2:tolerance=0.5:
 // separation=0.25:nan=1", and "verdict=1:toi=0.5:uv=0.25:achieved=0.125", where uv is all four
 // parameters. "ordered=1" misses where patch 1 begins ahead of patch 2 in x.
-// "within=7:promise=1:points=3" narrow what it is asked. "poisoned=2" is its verdict,
+// "within=7:promise=1:points=3:curves=1" narrow what it is asked. "poisoned=2" is its verdict,
 // at 0, on what is not finite; without, it is as any other; 8: it hangs; 9: it crashes.
 #include <unistd.h>
 
@@ -39,6 +39,7 @@ struct Claiming {
     d.nan_policy = whole("nan", d.nan_policy);
     d.within = whole("within", 0);
     if (whole("promise", 0) == 1) d.promise = "all contacts: https://example.org/promise";
+    if (whole("curves", 0) == 1) d.pairs = {{{CCDFUZZ_CURVE, CCDFUZZ_CURVE}, {1, 1}}};
     // So many points at most, without a radius.
     if (whole("points", 0) > 0) d.bodies = {{1, whole("points", 0), CCDFUZZ_NO_RADIUS}};
     return d;

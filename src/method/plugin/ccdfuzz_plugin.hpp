@@ -31,8 +31,8 @@ struct Patch {
   const ccdfuzz_patch& raw;
 
   std::size_t count() const { return static_cast<std::size_t>(raw.count); }
-  /// Coordinate k of control point i at time t, rounded, but for the ends at 1. It ignores a turn or
-  /// a spin of a body.
+  /// Coordinate k of control point i at time t, rounded, but for the ends at 1. It ignores a turn
+  /// or a spin of a body.
   double at(std::size_t i, int k, double t) const {
     const double p = raw.positions[i][k];
     if (raw.ends != nullptr) return t == 1 ? raw.ends[i][k] : p + t * (raw.ends[i][k] - p);
