@@ -79,8 +79,9 @@ struct Replayed {
 };
 
 /// The methods to ask about an entry, and the expected outcomes.
-std::map<std::string, Expected> expectations(const Case& entry, const ReplayOptions& options) {
-  std::map<std::string, Expected> wanted = entry.expect;
+std::map<std::string, Expected> expectations(const CheckedCase& entry,
+                                             const ReplayOptions& options) {
+  std::map<std::string, Expected> wanted = entry.value().expect;
   if (!options.methods.empty()) {
     std::erase_if(wanted, [&](const auto& stated) {
       return std::ranges::find(options.methods, stated.first) == options.methods.end();
@@ -88,8 +89,8 @@ std::map<std::string, Expected> expectations(const Case& entry, const ReplayOpti
   }
   if (!options.expect) return wanted;
   for (const std::string& method : options.methods) wanted[method];
-  // No answer about a query that nobody has decided is known to be correct.
-  const bool is_unknown = *options.expect == Outcome::kCorrect && !entry.truth.collides;
+  // No answer about a query of which nothing is proven is known to be correct.
+  const bool is_unknown = *options.expect == Outcome::kCorrect && !entry.collides();
   for (auto& [method, expected] : wanted)
     expected = is_unknown ? Outcome::kUnknown : *options.expect;
   return wanted;
@@ -115,7 +116,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
   // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
   constexpr std::uint64_t kTimes = 16;
   const SearchOptions search = options.search.options_for(entry.value, kTimes);
-  for (const auto& [method, expected] : expectations(entry.value, options)) {
+  for (const auto& [method, expected] : expectations(*known, options)) {
     if (!is_admitted(method)) {
       result.not_allowed.emplace(method, expected);
       continue;
@@ -136,7 +137,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     result.not_known = std::erase_if(result.rows, [&](const ReplayRow& row) {
       const auto stated = before.find(row.method);
       const bool was_error = stated != before.end() && stated->second.outcome == Outcome::kError;
-      return *options.expect == Outcome::kCorrect && !known->value().truth.collides &&
+      return *options.expect == Outcome::kCorrect && !known->collides() &&
              row.got.outcome == Outcome::kUnknown && !was_error;
     });
     result.not_taken = std::erase_if(

@@ -23,7 +23,7 @@ Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
   MethodSet methods;
   Breeder breeder(method, seed, ground, aim);
   const Draws draws(seed, ground);
-  for (std::uint64_t i = 0; i < 3; ++i) {
+  for (std::uint64_t i = 0; i < 6; ++i) {
     for (const CheckedCase& asked : draws.at(contact, i)) {
       breeder.add(asked.value(), methods);
     }

@@ -97,8 +97,8 @@ TEST(Ground, DegreesAreThoseThatAreTaken) {
   HuntGround ground;
   ground.pairs = {{{{ShapeKind::kTensor, 8}, {ShapeKind::kTriangle, 2}}}};
   const std::vector<ShapePair> drawn = ground.drawn_shapes();
-  EXPECT_EQ(drawn.size(), 6U) << "three degrees, in either order";
-  EXPECT_EQ(drawn[4], (ShapePair{Shape::tensor(3, 3), Shape::triangle(2)}));
+  EXPECT_EQ(drawn.size(), 10U) << "three degrees, two also of one less in v, in either order";
+  EXPECT_EQ(drawn[6], (ShapePair{Shape::tensor(3, 3), Shape::triangle(2)}));
 }
 
 TEST(Ground, UniformDrawsAreDecidedAndSomeTouch) {
