@@ -11,7 +11,6 @@ namespace ccdfuzz {
 
 LostInputs::LostInputs() {
   if (const char* folder = std::getenv("CCDFUZZ_LOST")) folder_ = folder;
-  if (!folder_.empty()) remove_leftovers(folder_);
 }
 
 void LostInputs::keep(std::span<const std::uint8_t> bytes, const std::string& kind) {

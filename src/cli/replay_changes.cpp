@@ -32,7 +32,6 @@ void Changes::update(const std::string& path, const std::string& text,
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   const FolderLock lock = need(FolderLock::take(folder));
-  if (cleared_.insert(folder).second) remove_leftovers(folder);
   if (!is_unchanged()) {
     print_err(fmt::format("ccdfuzz: {}: changed meanwhile; it is left as it is\n", path));
     return;

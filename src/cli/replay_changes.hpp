@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +29,6 @@ class Changes {
  private:
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
   std::uint64_t written_ = 0;
-  std::set<std::string> cleared_;  ///< folders of what killed writers left
 };
 
 /// A row of the table: an expectation of a method or a property, and what was got.

@@ -27,6 +27,12 @@ class Descriptor {
   int number_;
 };
 
+/// Whether this error of a lock says that there are none: some file systems of clusters know none.
+/// There it is for the user to run one at a time.
+inline bool is_without_locks(int error) {
+  return error == ENOSYS || error == EOPNOTSUPP || error == ENOLCK;
+}
+
 /// Writes all of the bytes. Returns 0, or the errno of the error that ended it.
 inline int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {

@@ -1,11 +1,16 @@
 #include "io/folder_lock.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <mutex>
+#include <system_error>
 
+#include "base/text.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -14,6 +19,15 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (*descriptor < 0) return system_error(folder, "open", errno);
   while (::flock(*descriptor, LOCK_EX) != 0) {
+    if (is_without_locks(errno)) {
+      static std::once_flag said;
+      std::call_once(said, [&] {
+        fmt::print(stderr,
+                   "ccdfuzz: {}: cannot be locked ({}): let one command at a time write there\n",
+                   shown_line(folder), std::generic_category().message(errno));
+      });
+      break;
+    }
     if (errno != EINTR) return system_error(folder, "lock", errno);
   }
   return FolderLock(std::move(descriptor));

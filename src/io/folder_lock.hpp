@@ -12,7 +12,8 @@ namespace ccdfuzz {
 /// when its holder dies, however it dies.
 class FolderLock {
  public:
-  /// Waits for the lock. Errors: the folder cannot be opened or locked, naming it.
+  /// Waits for the lock. Errors: the folder cannot be opened or locked, naming it. Where the file
+  /// system has no locks, nobody waits, and stderr says so once.
   static Result<FolderLock> take(const std::string& folder);
 
   /// The folder that is locked. It stays open when the lock is released, so that the system gives

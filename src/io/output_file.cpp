@@ -2,18 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -65,6 +65,35 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
+/// Removes what killed writers left behind: the system dropped their locks of it (is_kept). Where
+/// the file system has no locks, it stays.
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  fs::directory_iterator at(folder, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    const std::string path = at->path().string();
+    if (!is_temporary(at->path().filename().string())) continue;
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (*file >= 0 && ::flock(*file, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  }
+}
+
+/// Locks a new temporary file while it is open. False: before, somebody took it for left behind.
+bool is_kept(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+  using Status = struct stat;
+  Status status{};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+/// Removes them once a folder: a store of finds writes many files into one.
+void remove_leftovers_once(const std::string& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> cleared;
+  const std::scoped_lock lock(mutex);
+  if (cleared.insert(folder).second) remove_leftovers(folder);
+}
+
 }  // namespace
 
 bool is_path_of(const std::string& path, int descriptor) {
@@ -85,29 +114,13 @@ bool is_stream(const std::string& path) {
   return is_standard_output(path) || (fs::exists(status) && !is_file);
 }
 
-std::optional<int> temporary_writer(std::string_view file_name) {
-  if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;
-  file_name.remove_prefix(kTemporaryPrefix.size());
-  int process = 0;
-  const char *const begin = file_name.data(), *const end = begin + file_name.size();
-  const auto [rest, status] = std::from_chars(begin, end, process);
-  if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
-  return process;
+bool is_temporary(std::string_view file_name) {
+  return file_name.starts_with(kTemporaryPrefix);
 }
 
 void remove_unfinished_files() {
   for (std::atomic<char*>& place : unfinished) {
     if (const char* const name = place.exchange(nullptr)) ::unlink(name);
-  }
-}
-
-void remove_leftovers(const std::string& folder) {
-  std::error_code error;
-  fs::directory_iterator at(folder, error), end;
-  for (; !error && at != end; at.increment(error)) {
-    const auto writer = temporary_writer(at->path().filename().string());
-    std::error_code ignored;
-    if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(at->path(), ignored);
   }
 }
 
@@ -151,17 +164,23 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   file.target_ = ignored || resolved.empty() ? path : resolved.string();
   CCDFUZZ_TRY_VOID(refuse_read_only(path));
   const std::string folder = folder_of(file.target_);
-  do {
+  remove_leftovers_once(folder);
+  using Status = struct stat;
+  Status old{};
+  const bool replaces = ::stat(file.target_.c_str(), &old) == 0;
+  const mode_t mode = replaces ? old.st_mode & 0777U : 0666U;
+  for (;;) {
     file.temporary_ = folder + "/" + new_temporary_name();
     enter_unfinished(file.temporary_);
     file.descriptor_ =
-        ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (file.descriptor_ < 0 && errno == EEXIST);
-  if (file.descriptor_ < 0) {
+        ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     const int error = errno;
+    if (file.descriptor_ >= 0 && is_kept(file.descriptor_)) break;
     strike_unfinished(std::exchange(file.temporary_, {}));
-    return system_error(path, "write", error);
+    if (file.descriptor_ < 0 && error != EEXIST) return system_error(path, "write", error);
+    if (file.descriptor_ >= 0) ::close(std::exchange(file.descriptor_, -1));
   }
+  if (replaces) ::fchmod(file.descriptor_, mode);  // whatever the umask
   return file;
 }
 
@@ -191,6 +210,7 @@ Result<void> OutputFile::write(std::string_view bytes) {
 Result<void> OutputFile::commit() {
   CCDFUZZ_VERIFY(descriptor_ >= 0);
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) return failed("write", errno);
+  const Descriptor locked(temporary_.empty() ? -1 : ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
   if (::close(std::exchange(descriptor_, -1)) != 0) return failed("write", errno);
   if (temporary_.empty()) return {};
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed("write", errno);
@@ -211,7 +231,6 @@ Result<void> make_folder(const std::string& folder) {
 
 Result<void> make_writable_folder(const std::string& folder) {
   CCDFUZZ_TRY_VOID(make_folder(folder));
-  remove_leftovers(folder);
   const auto probe = OutputFile::create(folder + "/.probe");
   return probe ? Result<void>() : input_error(folder, probe.error().what);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,9 +21,11 @@ Result<void> refuse_read_only(const std::string& path);
 
 /// A file that appears complete or not at all. It is written under a temporary name in the same
 /// folder, flushed to the disk and renamed over its path by commit(). Until then, and for ever if
-/// commit is never reached, the file at the path stays. A device, a pipe and the standard output
-/// (as /dev/stdout) are written directly. Errors: what the system says, naming the path, also of a
-/// file at it that may not be written; "-", which others take for stdout.
+/// commit is never reached, the file at the path stays. The new file has its permissions. The first
+/// output to a folder removes what killed writers left there; a lock says that a writer lives. A
+/// device, a pipe and the standard output (as /dev/stdout) are written directly. Errors: what the
+/// system says, naming the path, also of a file at it that may not be written; "-", which others
+/// take for stdout.
 class OutputFile {
  public:
   static Result<OutputFile> create(const std::string& path);
@@ -52,17 +53,11 @@ Result<void> write_file(const std::string& path, std::string_view bytes);
 /// Makes a folder, and those that it lies in, unless it is there. Errors: as above.
 Result<void> make_folder(const std::string& folder);
 
-/// The same, without what killed writers left behind in it. Errors: also if no file can be made in
-/// it.
+/// The same. Errors: also if no file can be made in it.
 Result<void> make_writable_folder(const std::string& folder);
 
-/// The process that writes to a temporary file of this name, if it is one of OutputFile's. The file
-/// is a leftover once that process is no more.
-std::optional<int> temporary_writer(std::string_view file_name);
-
-/// Removes what killed writers left behind in a folder. The temporary file of a process that lives
-/// is left to it.
-void remove_leftovers(const std::string& folder);
+/// Whether a temporary file of OutputFile has such a name.
+bool is_temporary(std::string_view file_name);
 
 /// Removes the temporary files that this process writes to, for a signal handler that ends it.
 void remove_unfinished_files();

@@ -49,11 +49,6 @@ std::string text_of(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.of);
 }
 
-/// Some file systems of clusters know no locks; there it is for the user to run one at a time.
-bool is_without_locks(int error) {
-  return error == ENOSYS || error == EOPNOTSUPP || error == ENOLCK;
-}
-
 }  // namespace
 
 std::optional<std::string> RunHeader::difference(const RunHeader& other) const {

@@ -13,8 +13,8 @@ After every kill
 After the last run, which nobody kills,
   - each file is what it is without a kill, but for times. In a folder of finds of a hunt each find of that is
     there; one that was stored before a kill may not have been shrunk or asked about;
-  - a folder of finds holds no temporary file.
-Hidden temporary files and what ends in ".partial", which goes on, may hold anything.
+  - no temporary file is left.
+Until then hidden temporary files and what ends in ".partial", which goes on, may hold anything.
 """
 
 import json
@@ -221,10 +221,8 @@ class Command:
             # The larger find of a failure, beside the smaller.
             if not lies_in(name, self.finds):
                 self.fail(f"{name} is too much")
-        for folder in self.finds:
-            left = [p.name for p in (self.folder / folder).glob(TEMPORARY + "*")]
-            if left:
-                self.fail(f"{left} are left")
+        if left := [str(p) for p in self.folder.rglob(TEMPORARY + "*")]:
+            self.fail(f"{left} are left")
         if self.finds:
             self.check_whole()
 

@@ -139,20 +139,16 @@ TEST(StoreInTrouble, KilledAtAnyMomentLeavesWholeEntries) {
 }
 
 TEST(StoreInTrouble, OpeningRemovesWhatAKilledWriterLeft) {
-  const ScratchFolder folder;
-  const pid_t dead = [] {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(0);
-    ::waitpid(child, nullptr, 0);
-    return child;
-  }();
-  const std::string of_dead = folder / fmt::format(".ccdfuzz-tmp-{}-0", dead);
-  const std::string of_living = folder / fmt::format(".ccdfuzz-tmp-{}-999", ::getpid());
-  write_text(of_dead, "{\"format\": \"ccdf");
-  write_text(of_living, "");
-  Store store = open_store(folder.path());
-  EXPECT_FALSE(fs::exists(of_dead));
-  EXPECT_TRUE(fs::exists(of_living));
+  const ScratchFolder scratch;
+  const std::string before = scratch / "before", finds = scratch / "finds";
+  fs::create_directory(before);
+  const auto living = OutputFile::create(before + "/a");
+  fs::rename(before, finds);  // this process cleared the folder of the other name
+  const std::string left = finds + "/.ccdfuzz-tmp-1-0";  // as of a process that lives for ever
+  write_text(left, "{\"format\": \"ccdf");
+  Store store = open_store(finds);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_FALSE(fs::is_empty(finds)) << "that of a living writer is gone";
 }
 
 /// Runs as a user whom permissions bind, which root is not.
