@@ -186,7 +186,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     print_evaluation(rows, costs, arguments, done);
   }
   // Last: what was measured is shown even if the page cannot be written.
-  if (!arguments.page.empty()) {
+  if (!arguments.page.empty() && !session.interrupted()) {
     ReportPage shown;
     shown.title = files.size() == 1 ? fmt::format("Evaluation of {}", files.front())
                                     : fmt::format("Evaluation of {} files", files.size());
@@ -224,8 +224,10 @@ void add_evaluate(CommandLine& line) {
   command.text("--csv FILE", options->csv,
                "Also a CSV file with a line for each class, kinds and method; none after an "
                "interruption");
-  command.text("--report FOLDER", options->page,
-               "Also make a page (index.html) of tables, figures and watchable failures");
+  command.text(
+      "--report FOLDER", options->page,
+      "Also make a page (index.html) of tables, figures and watchable failures; none after "
+      "an interruption");
   command.flag("--by-class", options->by_class,
                "Tables by class and kind of cases, also beside the paper's Tables 1 to 4");
   command.json("One JSON object per class, kinds and method");

@@ -110,12 +110,16 @@ int run_report(const ReportArguments& options, Session& session) {
   std::string scoreboard;
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   ReportPage report = report_source(options, session);
+  if (session.interrupted()) {
+    session.remark("interrupted: {}/index.html was not written", options.folder);
+    return interrupted_exit_code();
+  }
   report.scoreboard = std::move(scoreboard);
   report.command = command_line();
   need(write_report(report, options.folder, session.threads));
   print_out(fmt::format("{}/index.html: {}\n", options.folder,
                         counted(report.cases.size(), "case", "cases")));
-  return session.exit_code(kDone);
+  return kDone;
 }
 
 }  // namespace
