@@ -149,9 +149,15 @@ std::string shell_word(const std::string& text) {
   constexpr const char* kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
-  return quoted + "'";
+  // What no terminal should get is spelled as bash and zsh have it.
+  const bool is_shown = shown_line(text) == text;
+  std::string quoted;
+  for (const char c : text) {
+    if (c == '\'') quoted += is_shown ? "'\\'" : "\\";
+    if (c == '\\' && !is_shown) quoted += '\\';
+    quoted += c;
+  }
+  return is_shown ? "'" + quoted + "'" : "$'" + shown_line(quoted) + "'";
 }
 
 }  // namespace ccdfuzz

@@ -8,6 +8,8 @@ namespace {
 TEST(ShownLine, HasNothingThatATerminalObeys) {
   EXPECT_EQ(shown_line("a\x1b[31m\n\x7f\xc2\x9b"), "a\\u001b[31m\\n\\u007f\\u009b");
   EXPECT_EQ(shown_lines("a\nb\r"), "a\nb\\u000d");
+  EXPECT_EQ(shell_word("it's\\"), "'it'\\''s\\'");
+  EXPECT_EQ(shell_word("it's\t\\\n\xff"), R"($'it\'s\u0009\\\n\xff')");
 }
 
 TEST(ShownLine, KeepsEveryCharacterOfUtf8) {
