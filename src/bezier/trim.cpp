@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "bezier/orientation.hpp"
 
@@ -71,13 +72,22 @@ std::optional<InputError> fault_of_loop(const Loop& loop, size_t place, const Sh
     if (!is_in_domain(shape, loop[i])) {
       return InputError{
           fmt::format("{}[{}]", path, i),
-          fmt::format("({}, {}) lies outside the domain of a {}", u, v, name_of(shape.kind))};
+          fmt::format("({}, {}) lies outside the domain of a {}, {}", u, v, name_of(shape.kind),
+                      shape.kind == ShapeKind::kTensor ? "u and v in [0, 1]"
+                                                       : "u ≥ 0, v ≥ 0 and u + v ≤ 1")};
     }
   }
   const auto other = std::ranges::find_if(loop, [&](const Uv<double>& p) { return p != loop[0]; });
   const bool has_area = std::ranges::any_of(
       other, loop.end(), [&](const Uv<double>& p) { return orientation(loop[0], *other, p) != 0; });
   if (!has_area) return fault("has no area");
+  for (size_t j = 1; j < loop.size(); ++j) {
+    const auto i = std::ranges::find(loop, loop[j]) - loop.begin();
+    if (std::cmp_equal(i, j)) continue;
+    return fault(fmt::format(
+        "vertex {} repeats vertex {}{}", j, i,
+        i == 0 && j + 1 == loop.size() ? ": the last vertex is joined to the first anyway" : ""));
+  }
   for (size_t i = 0; i < loop.size(); ++i) {
     for (size_t j = i + 1; j < loop.size(); ++j) {
       if (!meet_themselves(loop, i, j)) continue;

@@ -1,6 +1,7 @@
 // The format of cases, field by field; docs/formats.md describes it.
 #include "files/case_json.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -94,7 +95,10 @@ struct JsonForm<MovingPatch<double>> {
         return fmt::format("has {} weights of {} control points", weights.size(),
                            patch.positions.size());
       }
-      return are_weights(weights) ? std::string() : spread_of_weights();
+      if (are_weights(weights)) return std::string();
+      const auto [least, most] = std::ranges::minmax_element(weights);
+      return fmt::format("{}: {} at [{}] and {} at [{}]", spread_of_weights(), *least,
+                         least - weights.begin(), *most, most - weights.begin());
     });
     archive.optional("trim", patch.trim, {}, [](const Trim& trim) {
       return trim.empty() ? "has no loop; a patch that is whole has no such key" : "";
