@@ -247,7 +247,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   // An option that there is not may be why another seems to be missing.
   for (const std::string& extra : app.remaining(true)) {
     const std::string name = extra.substr(0, extra.find('='));
-    if (!extra.starts_with('-')) continue;
+    if (!extra.starts_with('-') || extra == "--") continue;
     if (command.get_option_no_throw(name) == nullptr) {
       return name + ": " + no_such_option(command, name);
     }
