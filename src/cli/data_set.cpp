@@ -6,12 +6,12 @@ void MadeSet::add(MadeCases made) {
   add_cost(costs, made.cost);
   const std::string tree = parse_hex_bytes(made.tree).value();
   for (Case& value : made.cases) {
-    ++cases;
     if (!tree.empty()) {
       value.truth.clearance = MissTree{exact(value.query.t_max), {}};
       value.truth.proof = proof_word(*value.truth.clearance);
       ++trees;
     }
+    count.add(value);
     writer.write(std::move(value), tree);
   }
 }
@@ -22,8 +22,12 @@ void MadeSet::show(Session& session, const std::string& of) const {
     return;
   }
   print_table(generation_table(costs));
-  const std::string proofs = trees == 0 ? "" : ", " + counted(trees, "miss tree", "miss trees");
-  session.summary(fmt::format("\n{}{} in {}{}", counted(cases, "case", "cases"), of, path, proofs));
+  std::string proofs = trees == 0 ? "" : ", " + counted(trees, "miss tree", "miss trees");
+  if (count.by_word > 0) {
+    proofs += fmt::format(", {} without a certificate: `ccdfuzz prove` makes one", count.by_word);
+  }
+  session.summary(
+      fmt::format("\n{}{} in {}{}", counted(count.cases, "case", "cases"), of, path, proofs));
 }
 
 }  // namespace ccdfuzz

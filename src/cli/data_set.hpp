@@ -87,7 +87,8 @@ struct MadeSet {
   std::string path;
   DataSetWriter writer;  ///< finished with the costs
   std::vector<GenerationCost> costs = {};
-  std::uint64_t cases = 0, trees = 0;
+  CaseCount count = {};
+  std::uint64_t trees = 0;
 
   void add(MadeCases made);
   /// Shows what the cases cost, and then how many there are. of: behind that number.

@@ -199,15 +199,16 @@ int run_generate(const GenerateOptions& options, Session& session) {
 
 void add_generate(CommandLine& line) {
   auto [command, options] = line.add<GenerateOptions>(
-      "generate", "Generate a data set whose truth is proven", run_generate);
+      "generate", "Generate a data set of exactly known truth", run_generate);
   command.example("a thousand vertex-vertex contacts",
                   "generate --contact VV --kind RP --count 1000 -o vv.jsonl.zst");
   const Option contact =
       command.choice("--contact CLASS", options->contact, "Contact class: FF EF EE VF VE VV");
-  const Option kind =
-      command.choice("--kind KIND", options->kind,
-                     "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: "
-                     "as RP, but they graze. NMN: as NHP, but they just miss");
+  const Option kind = command.choice(
+      "--kind KIND", options->kind,
+      "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: "
+      "as RP, but they graze. NMN: as NHP, but they just miss. NMN, and RN of the paper's "
+      "construction and of trimmed patches, have no certificate: `prove` makes it");
   const Option count = command.whole("--count", options->count, "How many cases", 1);
   const Option first = command.whole("--first", options->first, "Index of the first case");
   command.whole("--seed", options->generator.seed, "Seed of the data set");

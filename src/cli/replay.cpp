@@ -385,7 +385,7 @@ void add_replay(CommandLine& line) {
   Option update = command.flag(
       "--update", options->update,
       "Write what methods show now into the entries, with the depth, but no hang, which "
-      "depends on the machine, and exit with 0");
+      "depends on the machine. What changed is then no failure");
   // An entry says itself how it is asked.
   options->search.max_pops.reset();
   for (const Option& limit : options->search.add_to(command)) update.excludes(limit);
