@@ -25,7 +25,9 @@ class DataSetWriter {
         trees_(path),
         is_streamed_(is_stream(path)) {
     for (const char* ending : {kTreesEnding, kCostsEnding}) {
-      if (!is_streamed_) need(refuse_read_only(path_beside(path, ending)));
+      if (is_streamed_) break;
+      need(refuse_shared(path, ending));
+      need(refuse_read_only(path_beside(path, ending)));
     }
     leave_stdout_to(path);
   }

@@ -22,27 +22,17 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kCaseEndings = {".jsonl.zst", ".jsonl", ".json"};
 
-/// Nothing is known of a tree that cannot be read.
-InputError unread(InputError error) {
-  error.is_limit = true;
-  return error;
-}
-
-tl::unexpected<InputError> not_read(const std::string& path, int why) {
-  return tl::unexpected(unread(system_error(path, "read", why).value()));
-}
-
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
-  CCDFUZZ_TRY_VOID(refuse_irregular(path).map_error(unread));
+  CCDFUZZ_TRY_VOID(refuse_irregular(path));
   const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (*descriptor < 0) return not_read(path, errno);
+  if (*descriptor < 0) return system_error(path, "read", errno);
   std::string bytes(length, '\0');
   for (size_t done = 0; done < length;) {
     const ssize_t got =
         ::pread(*descriptor, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return not_read(path, errno);
+    if (got < 0) return system_error(path, "read", errno);
     if (got == 0) {
       return input_error(path,
                          fmt::format("ends before byte {}, where a tree ends", offset + length));
@@ -52,21 +42,7 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
   return bytes;
 }
 
-}  // namespace
-
-std::string path_beside(const std::string& case_path, std::string_view ending) {
-  size_t length = case_path.size();
-  for (const std::string_view own : kCaseEndings) {
-    if (case_path.ends_with(own)) length = case_path.size() - own.size();
-  }
-  return case_path.substr(0, length).append(ending);
-}
-
-std::string trees_path(const std::string& case_path) {
-  return path_beside(case_path, kTreesEnding);
-}
-
-Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
+Result<std::string> tree_at(const std::string& path, const TreeRef& tree) {
   // Both limits keep a wrong number from being allocated.
   if (tree.length > ZSTD_compressBound(kMaxTreeBytes)) {
     return input_error(path, fmt::format("a tree of {} bytes is larger than any", tree.length));
@@ -91,6 +67,27 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
                                          hash, tree.xxh3));
   }
   return bytes;
+}
+
+}  // namespace
+
+std::string path_beside(const std::string& case_path, std::string_view ending) {
+  size_t length = case_path.size();
+  for (const std::string_view own : kCaseEndings) {
+    if (case_path.ends_with(own)) length = case_path.size() - own.size();
+  }
+  return case_path.substr(0, length).append(ending);
+}
+
+std::string trees_path(const std::string& case_path) {
+  return path_beside(case_path, kTreesEnding);
+}
+
+Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
+  return tree_at(path, tree).map_error([](InputError error) {
+    error.is_limit = true;
+    return error;
+  });
 }
 
 Result<std::string> tree_of(const Truth& truth, const std::string& trees) {
@@ -120,12 +117,21 @@ Result<void> carry_tree(Truth& truth, const std::string& trees, const std::strin
   return writer.finish();
 }
 
-Result<void> remove_beside(const std::string& case_path, std::string_view ending) {
-  std::error_code error;
+Result<void> refuse_shared(const std::string& case_path, std::string_view ending) {
+  std::error_code ignored;
+  const std::string beside = path_beside(case_path, ending);
+  if (!fs::exists(beside, ignored)) return {};
   for (const std::string_view of_cases : kCaseEndings) {
     const std::string other = path_beside(case_path, of_cases);
-    if (other != case_path && fs::exists(other, error)) return {};
+    if (other == case_path || !fs::exists(other, ignored)) continue;
+    return input_error(case_path,
+                       fmt::format("would share {} with {}; choose another name", beside, other));
   }
+  return {};
+}
+
+Result<void> remove_beside(const std::string& case_path, std::string_view ending) {
+  std::error_code error;
   const std::string old = path_beside(case_path, ending);
   CCDFUZZ_TRY_VOID(refuse_read_only(old));
   if (fs::is_regular_file(old, error)) fs::remove(old, error);

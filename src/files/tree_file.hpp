@@ -25,7 +25,8 @@ inline constexpr size_t kMaxTreeBytes = 4 << 20;
 
 /// The bytes of a tree. Errors name the path: no such file; it ends before the frame does; the
 /// frame is no zstd frame. The frame may also be shorter than its length or larger than
-/// kMaxTreeBytes, or its bytes have another hash.
+/// kMaxTreeBytes, or its bytes have another hash. Each is a limit (is_limit): nothing is known of a
+/// tree that is not there.
 Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
 
 /// The bytes of a truth's tree from the file `trees`; empty if it has none. Errors: as read_tree,
@@ -46,9 +47,11 @@ bool drop_tree(Truth& truth);
 /// and TreeWriter.
 Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path);
 
+/// Errors: the file of path_beside is there, and another case file that it may belong to.
+Result<void> refuse_shared(const std::string& case_path, std::string_view ending);
+
 /// For a case file that has no such file beside it, in place of one that may have had: removes the
-/// file of path_beside. It stays if a case file of the same name and another ending is there.
-/// Errors: it cannot be removed, naming it.
+/// file of path_beside. Errors: it cannot be removed, naming it.
 Result<void> remove_beside(const std::string& case_path, std::string_view ending);
 
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
