@@ -50,9 +50,7 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
       files.push_back(input);
       continue;
     }
-    CCDFUZZ_TRY(const auto inside, files_under(input, [](const std::string& name) {
-                  return temporary_writer(name).has_value();
-                }));
+    CCDFUZZ_TRY(const auto inside, files_under(input, &is_temporary));
     std::ranges::copy_if(inside, std::back_inserter(files), [](const std::string& path) {
       std::error_code gone;  // meanwhile
       return fs::is_regular_file(path, gone);
@@ -87,7 +85,7 @@ Result<std::vector<Case>> fuzzed_cases(const std::string& path) {
 
 /// The results for the files that fuzzers left, and for the inputs in them.
 struct TriageCounts {
-  std::uint64_t files = 0, files_done = 0, files_unread = 0;
+  std::uint64_t files = 0, files_done = 0, files_unread = 0, files_gone = 0;
   TriageTally tally;
   std::uint64_t finds = 0;
 
@@ -96,6 +94,7 @@ struct TriageCounts {
     archive("files", counts.files);
     archive("files_done", counts.files_done);
     archive("files_unread", counts.files_unread);
+    archive.optional("files_gone", counts.files_gone);
     TriageTally::fields(archive, counts.tally);
     archive("finds", counts.finds);
   }
@@ -106,10 +105,11 @@ struct TriageCounts {
 std::string to_text(const TriageCounts& counts, const std::string& folder, bool own_code_may_fail) {
   const TriageTally& tally = counts.tally;
   std::string text = fmt::format(
-      "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
+      "{} of {} files{}: {} failures, {} of them like one that is stored; {} inputs on which "
       "nothing fails; {} new in {}",
-      counts.files_done, counts.files, tally.failures, tally.known, tally.harmless, counts.finds,
-      folder);
+      counts.files_done, counts.files,
+      counts.files_gone > 0 ? fmt::format(" ({} gone meanwhile)", counts.files_gone) : "",
+      tally.failures, tally.known, tally.harmless, counts.finds, folder);
   if (own_code_may_fail) {
     text += "\nIf your own code failed on them, ask it as a plug-in: --methods plugin:PATH";
   }
@@ -155,7 +155,10 @@ class TriageRun {
       if (is_over()) return;
       const Result<bool> done = work(file);
       std::error_code error;
-      if (!done && !fs::exists(file, error)) continue;
+      if (!done && !fs::exists(file, error)) {
+        ++counts_.files_gone;
+        continue;
+      }
       if (!done) {
         session_.remark("{}; it is left as it is", done.error().message());
         ++counts_.files_unread;
