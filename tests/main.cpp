@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -73,6 +74,7 @@ class PrintsHowToReproduce : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGINT, SIG_DFL);  // ignored, it would be in what tests start, too
   if (ccdfuzz::served_by_test != nullptr) ccdfuzz::served_by_test(argc, argv);
   const std::string assignments = fix_random_cases();
   testing::InitGoogleMock(&argc, argv);

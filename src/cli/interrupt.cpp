@@ -11,7 +11,8 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr unsigned kSecondsToEnd = 1;
+/// More than what who is interrupted still does for, ChildProgram::kPatience.
+constexpr unsigned kSecondsToEnd = 2;
 
 std::atomic<bool> was_interrupted = false;
 std::atomic<bool> ends_in_order = false;
@@ -44,7 +45,8 @@ void on_deadly_signal(int signal) {
   ::raise(signal);
 }
 
-/// Whoever started this may have the signal ignored, as nohup does of SIGHUP: that stays.
+/// Whoever started this may have the signal ignored, and that stays. So does nohup of SIGHUP, and a
+/// script of SIGINT where it runs this in the background.
 void handle_unless_ignored(int signal, const struct sigaction& action) {
   struct sigaction before {};
   sigaction(signal, nullptr, &before);
@@ -59,8 +61,9 @@ void end_on_signals() {
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM, SIGALRM}) sigaction(signal, &action, nullptr);
-  handle_unless_ignored(SIGHUP, action);  // the terminal was closed
+  sigaction(SIGALRM, &action, nullptr);
+  // The last: the terminal was closed.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle_unless_ignored(signal, action);
   action.sa_handler = on_deadly_signal;
   action.sa_flags = SA_RESETHAND;
   for (const int signal : {SIGPIPE, SIGQUIT, SIGXCPU}) handle_unless_ignored(signal, action);

@@ -31,6 +31,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -349,6 +350,7 @@ def main():
     parser.add_argument('binary', type=Path, metavar='BINARY')
     parser.add_argument('groups', nargs='*', metavar='GROUP')
     options = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # where it is ignored, so it is in each row
     binary = options.binary.resolve(strict=True)
     groups = options.groups or [*sorted(path.stem for path in HERE.glob('*.txt') if path.stem != 'CMakeLists'), 'commands']
     return 1 if sum([check(binary, group, options.update) for group in groups]) else 0
