@@ -1,5 +1,9 @@
+#include <gmp.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
+#include <new>
 
 #include "base/fp_guard.hpp"
 #include "cli/command.hpp"
@@ -7,10 +11,22 @@
 #include "hunt/serve.hpp"
 #include "properties/suites.hpp"
 
+namespace {
+
+void* or_throw(void* memory) {
+  return memory == nullptr ? throw std::bad_alloc() : memory;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace ccdfuzz;
   // A library that was loaded into this process may have set another, which all threads inherit.
   const FpGuard guard;
+  // GMP's own would abort where there is no memory left.
+  mp_set_memory_functions(
+      [](size_t bytes) { return or_throw(std::malloc(bytes)); },
+      [](void* old, size_t, size_t bytes) { return or_throw(std::realloc(old, bytes)); }, nullptr);
   std::vector<Property> claims = properties();
   std::ranges::move(metamorphic_claims(), std::back_inserter(claims));
   serve_if_asked(argc, argv, {.claims = claims});
