@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
@@ -59,6 +60,8 @@ int run_methods(const std::vector<std::string>& specs, Session& session) {
         row("claims_no_false_negative", info.claims_no_false_negative);
         row("switches", info.switches);
         row("takes", words_of(info.features));
+        const std::vector<std::string> pairs = info.domain.pair_texts();
+        if (!pairs.empty()) row("accepts", pairs);
       });
     }
     return kDone;
@@ -69,7 +72,8 @@ int run_methods(const std::vector<std::string>& specs, Session& session) {
     print_entry(fmt::format("{}{} ({})", info.spec, claims ? " *" : "", info.source),
                 info.description);
     // With all methods, the list would be longer than a terminal.
-    const std::vector<std::string> words = words_of(info.features);
+    std::vector<std::string> words = info.domain.pair_texts();
+    std::ranges::move(words_of(info.features), std::back_inserter(words));
     if (!specs.empty() && !words.empty()) {
       print_out(fmt::format("    takes {}\n",
                             wrapped(fmt::format("{}", fmt::join(words, ", ")), 10, 10)));

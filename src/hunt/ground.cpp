@@ -237,12 +237,7 @@ std::string asked_text(const HuntGround& ground) {
 
 /// "point and triangle(1), curve(1) and curve(1)": what a method takes.
 std::string taken_text(const MethodInfo& info) {
-  std::vector<std::string> texts;
-  const auto shown = [](const Domain::Side& side) {
-    return side.max_degree == 0 ? std::string(name_of(side.shape))
-                                : fmt::format("{}({})", name_of(side.shape), side.max_degree);
-  };
-  for (const auto& [a, b] : info.domain.pairs) texts.push_back(shown(a) + " and " + shown(b));
+  std::vector<std::string> texts = info.domain.pair_texts();
   if (texts.empty()) texts.emplace_back(info.features.bodies ? "patches and bodies" : "patches");
   if (std::string rules = info.domain.text(); !rules.empty()) texts.push_back(std::move(rules));
   return fmt::format("{}", fmt::join(texts, ", "));

@@ -153,6 +153,16 @@ std::optional<Domain> Domain::with(const Domain& other) const {
   return have_pairs && have_bodies ? std::optional(both) : std::nullopt;
 }
 
+std::vector<std::string> Domain::pair_texts() const {
+  const auto shown = [](const Side& side) {
+    return side.max_degree == 0 ? std::string(name_of(side.shape))
+                                : fmt::format("{}({})", name_of(side.shape), side.max_degree);
+  };
+  std::vector<std::string> texts;
+  for (const auto& [a, b] : pairs) texts.push_back(shown(a) + " and " + shown(b));
+  return texts;
+}
+
 std::string Domain::text() const {
   std::vector<std::string> rules;
   if (binary32) rules.emplace_back("floats");

@@ -46,6 +46,8 @@ struct Domain {
   std::string broken_by(const Case& value) const;
   /// What lies in both. Nothing if they have no pair in common.
   std::optional<Domain> with(const Domain& other) const;
+  /// "point and triangle(1)": each of the pairs.
+  std::vector<std::string> pair_texts() const;
   /// In a few words, without the pairs; empty: all.
   std::string text() const;
 };
