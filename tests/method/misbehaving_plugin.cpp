@@ -96,6 +96,7 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   out->toi_lower = 0;
   if (s.does == "late") out->toi_lower = query->t_max;
   if (s.does == "nan") out->toi_lower = std::nan("");
+  if (s.does == "half") out->uv[1][1] = 0.5;
   if (s.does == "no-toi") out->toi_lower = HUGE_VAL;
   if (s.does == "outside") out->toi_lower = query->t_max + 1;
   if (s.does == "negative") out->toi_lower = -1;

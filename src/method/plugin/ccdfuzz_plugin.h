@@ -112,8 +112,9 @@ typedef struct ccdfuzz_answer {
   uint32_t verdict;
   double toi_lower;    /* hit: the time of impact, or a lower bound of it; in [0, t_max] */
   double toi_upper;    /* hit: a finite upper bound of it, or NaN if it has none */
-  double uv[2][2];     /* hit: where on each patch, or NaN if it does not know; what rounding took
-                          out of the domain is moved back to its edge */
+  double uv[2][2];     /* hit: where on each patch, or two NaN if it does not know; one NaN is a
+                          finding ("uv NaN"), but of a shape that has no v; what rounding took out
+                          of the domain is moved back to its edge */
   uint64_t iterations; /* boxes, Newton steps: whatever it counts */
   double tolerance;    /* achieved, in the unit of the claimed one, which it stands in for where it
                         * is tighter; looser: a finding ("broken claim"); NaN: as claimed */

@@ -241,7 +241,14 @@ class Plugin {
                   {"message", a.message}};
     if (a.verdict == CCDFUZZ_HIT) {
       reply["toi"] = {real(a.toi_lower), real_or_null(a.toi_upper)};
-      for (const auto& uv : a.uv) reply["uv"].push_back({real_or_null(uv[0]), real_or_null(uv[1])});
+      for (size_t side = 0; side < 2; ++side) {
+        const auto& [u, v] = a.uv[side];
+        const bool has_v = patches_[side].shape > CCDFUZZ_CURVE;
+        // Who knows neither leaves both NaN.
+        const bool is_half = std::isnan(u) != std::isnan(v) && (std::isnan(u) || has_v);
+        reply["uv"].push_back(is_half ? Json{real(u), real(v)}
+                                      : Json{real_or_null(u), real_or_null(v)});
+      }
     }
     return reply;
   }
