@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "base/no_process.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -46,6 +48,8 @@ Check run(const Property& property, Draw& choices, bool tells) {
   } catch (const Refuted& why) {
     failure = why.what();
   } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const NoProcess&) {
     throw;
   } catch (const std::exception& error) {
     failure = std::string("an exception: ") + error.what();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 
@@ -26,6 +27,11 @@ struct SearchOptions {
   double max_seconds = kNoTimeLimit;
   /// The clock that max_seconds is of, in seconds; null: a steady one of the machine. For tests.
   double (*clock)() = nullptr;
+  /// Once it is true, a method in another process is asked no more. It throws NoProcess, also where
+  /// it takes long (ChildProgram::interrupted).
+  const std::atomic<bool>* stop = nullptr;
+
+  bool is_stopped() const { return stop != nullptr && *stop; }
 
   /// About a minute. Measured, generated queries of two triangle(2) take up to 2^31, in the family
   /// mixed-scales, and of two tensor(8,8) up to 2^36.

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <thread>
+#include <tuple>
 
 #include "base/text.hpp"
 #include "cli/interrupt.hpp"
@@ -348,6 +349,8 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   try {
     return parse_and_run_chosen(argc, argv);
   } catch (const std::exception& error) {
+    session_->end_table();
+    std::ignore = flush_stdout();
     return complain(ended_by(error), kInternal);
   }
 }

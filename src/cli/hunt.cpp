@@ -296,6 +296,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
     if (!session.json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
   }
   if (!session.json) print_summary(report, options.corpus);
+  if (report.refused) std::rethrow_exception(report.refused);
   if (interrupted) return session.exit_code(kDone);
   // No draw is on the ground, or there was no time for any: then nothing was checked.
   if (report.course.back().queries + report.course.back().mutants == 0) {

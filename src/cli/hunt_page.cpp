@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
 #include "eval/tables.hpp"
 #include "files/check_file.hpp"
 #include "files/engine_test.hpp"
@@ -69,7 +70,8 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
     GivenAnswer answer;
     answer.method = method;
     answer.outcome = outcome;
-    if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
+    const bool is_hit = outcome == Outcome::kLate || outcome == Outcome::kFalsePositive;
+    if (allowed && is_hit && !catch_interrupts()) {
       const Judged judged = ask(methods[method], known, search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/no_process.hpp"
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
@@ -183,6 +184,26 @@ size_t Intake::count() const {
       std::ranges::count_if(kept_, [](const auto& kept) { return kept.second.is_new(); }));
 }
 
+/// Minimises a new find, measures it, and asks all methods about it.
+void Intake::complete(Find& find, Asker& asker, const Finish& how) {
+  const Failure& failure = find.failure;
+  if (how.shrinks(failure)) {
+    find.value = minimise(find.value, failure, asker, how.minimising).value;
+  }
+  const CheckedCase known = checked_or_unknown(find.value);
+  if (is_false_negative(failure.outcome)) {
+    Judged judged = asker.ask(failure.who, known);
+    find.depth = judged.depth = depth_of(known, judged).value_or(0);
+    say_version(find.value, failure.who, judged);
+    find.late_by = judged.late_by;
+    find.depth_tolerance = judged.depth_tolerance;
+  }
+  const Expected shown{failure.outcome, failure.cause};
+  find.differs = !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
+  if (!find.differs) find.value.origin.more.erase(kNote);
+  asker.ask_others(find.value, how.methods);
+}
+
 Result<void> Intake::finish(const Finish& how) {
   std::vector<Find> tasks;
   {
@@ -196,24 +217,11 @@ Result<void> Intake::finish(const Finish& how) {
       tasks.size(), how.threads,
       [&](size_t i) {
         Find find = std::move(tasks[i]);
-        const Failure& failure = find.failure;
-        Asker& asker = askers.local();
-        if (how.shrinks(failure)) {
-          find.value = minimise(find.value, failure, asker, how.minimising).value;
+        try {
+          complete(find, askers.local(), how);
+        } catch (const NoProcess&) {
+          if (!how.stop) throw;
         }
-        const CheckedCase known = checked_or_unknown(find.value);
-        if (is_false_negative(failure.outcome)) {
-          Judged judged = asker.ask(failure.who, known);
-          find.depth = judged.depth = depth_of(known, judged).value_or(0);
-          say_version(find.value, failure.who, judged);
-          find.late_by = judged.late_by;
-          find.depth_tolerance = judged.depth_tolerance;
-        }
-        const Expected shown{failure.outcome, failure.cause};
-        find.differs =
-            !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
-        if (!find.differs) find.value.origin.more.erase(kNote);
-        asker.ask_others(find.value, how.methods);
         return find;
       },
       [&](Find find) {

@@ -81,7 +81,8 @@ class Intake {
     /// True ends it.
     const std::atomic<bool>& stop;
   };
-  /// Minimises the new finds and asks all methods about them. Errors: of the store.
+  /// Minimises the new finds and asks all methods about them. Errors: of the store; throws
+  /// NoProcess where a method does, unless stop is true.
   Result<void> finish(const Finish& how);
 
   /// The first thing that went wrong with the store, if anything did.
@@ -101,6 +102,7 @@ class Intake {
   };
 
   void keep(Find find, Rank rank);
+  static void complete(Find& find, Asker& asker, const Finish& how);
   Result<void> store_kept();
   Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                          const AskAgain& again = nullptr);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/fp_guard.hpp"
+#include "base/no_process.hpp"
 #include "base/stopwatch.hpp"
 #include "base/verify.hpp"
 #include "hunt/draw.hpp"
@@ -55,9 +56,10 @@ struct Nursery {
 
 /// A hunt by time depends on the clock anyway. A plug-in is asked nothing more about a query after
 /// kLongestQuerySeconds. For the question that it has it may take its own time (seconds=S), and so
-/// delay the end by that.
-HuntOptions within_its_time(HuntOptions options) {
+/// delay the end by that, but not by the stop.
+HuntOptions until_its_end(HuntOptions options, const std::atomic<bool>& stop) {
   if (!options.cases) options.search = limited(options.search);
+  options.search.stop = &stop;
   return options;
 }
 
@@ -65,7 +67,7 @@ class Hunt {
  public:
   Hunt(const HuntOptions& options, Store& store,
        const std::function<void(const HuntProgress&)>& on_progress, const std::atomic<bool>& stop)
-      : options_(within_its_time(options)),
+      : options_(until_its_end(options, stop)),
         on_progress_(on_progress),
         stop_(stop),
         intake_(
@@ -95,8 +97,11 @@ class Hunt {
         // So that a hunt by cases repeats, its course too.
         options_.cases ? Order::kOfItems : Order::kNone);
     count_cases();
-    const Result<void> stored = stop_ ? intake_.store_all() : finish();
-    if (!stored) report_.error = stored.error();
+    unless_refused([&] {
+      const bool ends_early = stop_ || report_.refused;
+      const Result<void> stored = ends_early ? intake_.store_all() : finish();
+      if (!stored) report_.error = stored.error();
+    });
     report_.finds = intake_.finds();
     report_.seconds = watch_.seconds();
     show(1);
@@ -139,8 +144,19 @@ class Hunt {
     return is_over() ? std::nullopt : schedule_.next();
   }
 
-  bool is_over() const { return stop_ || met_ || is_late(); }
+  bool is_over() const { return stop_ || met_ || report_.refused || is_late(); }
   bool is_late() const { return !options_.cases && watch_.seconds() >= options_.seconds; }
+
+  /// Where no process answers, and not because of the stop, the hunt ends with what it has.
+  template <class Work>
+  void unless_refused(const Work& work) {
+    try {
+      work();
+    } catch (const NoProcess&) {
+      const std::lock_guard lock(mutex_);
+      if (!stop_) report_.refused = std::current_exception();
+    }
+  }
 
   /// The limits of a question that is asked now. A hunt by time ends those to methods of its own
   /// process with its time. A plug-in may not heed a limit, and is ended by that of its own.
@@ -185,22 +201,24 @@ class Hunt {
     std::vector<CheckedCase> drawn = nursery.draws.at(cell.contact, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
     Method& method = asker.methods()[cell.method];
-    for (const CheckedCase& asked : drawn) {
-      if (stops()) break;
-      const double begin = clock_of(method);
-      const Judged judged = ask(method, asked, search_now(method));
-      const double used = clock_of(method) - begin;
-      done.cpu_seconds += used;
-      if (is_cut_off(judged)) break;
-      if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
-      done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
-      note_failure(cell.method, asked.value(), judged, asker, done);
-      if (!options_.beside || judged.outcome == Outcome::kNotAsked) continue;
-      Method& other = asker.methods()[*options_.beside];
-      const Judged beside = ask(other, asked, search_now(other));
-      if (is_cut_off(beside)) break;
-      if (beside.outcome != Outcome::kNotAsked) done.beside.add(beside.answer.seconds);
-    }
+    unless_refused([&] {
+      for (const CheckedCase& asked : drawn) {
+        if (stops()) break;
+        const double begin = clock_of(method);
+        const Judged judged = ask(method, asked, search_now(method));
+        const double used = clock_of(method) - begin;
+        done.cpu_seconds += used;
+        if (is_cut_off(judged)) break;
+        if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
+        done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
+        note_failure(cell.method, asked.value(), judged, asker, done);
+        if (!options_.beside || judged.outcome == Outcome::kNotAsked) continue;
+        Method& other = asker.methods()[*options_.beside];
+        const Judged beside = ask(other, asked, search_now(other));
+        if (is_cut_off(beside)) break;
+        if (beside.outcome != Outcome::kNotAsked) done.beside.add(beside.answer.seconds);
+      }
+    });
     if (turn.draw < founders_of(turn.draw + 1)) {
       const std::lock_guard lock(mutex_);
       nursery.waiting.emplace(turn.draw, std::move(drawn));
@@ -241,12 +259,14 @@ class Hunt {
       return left-- > 0 && !stops() && (options_.cases || clock_of(method) - start < kSlice);
     };
     done.bred = !breeder.empty();
-    while (done.bred && goes_on()) {
-      breeder.step(asker.methods(), search_now(method),
-                   [&](const Case& asked, const Judged& judged) {
-                     note_failure(cell.method, asked, judged, asker, done);
-                   });
-    }
+    unless_refused([&] {
+      while (done.bred && goes_on()) {
+        breeder.step(asker.methods(), search_now(method),
+                     [&](const Case& asked, const Judged& judged) {
+                       note_failure(cell.method, asked, judged, asker, done);
+                     });
+      }
+    });
     done.cpu_seconds = clock_of(method) - start;
     done.population = breeder.tally();
     return done;
@@ -255,7 +275,9 @@ class Hunt {
   /// The intake may ask a method about entries of the store: outside of the lock.
   void offer(Done& done) {
     for (const auto& [failure, find] : done.failures) {
-      if (intake_.offer(failure, find)) done.met.push_back(failure);
+      unless_refused([&] {
+        if (intake_.offer(failure, find)) done.met.push_back(failure);
+      });
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -94,6 +95,8 @@ struct HuntReport {
   /// The store cannot be read or written at the end of the hunt. finds then holds all the same what
   /// could not be stored.
   std::optional<InputError> error;
+  /// The NoProcess that ended the hunt early, with what it has; null: none did.
+  std::exception_ptr refused;
 };
 
 /// The progress of a hunt.

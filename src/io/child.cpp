@@ -17,8 +17,8 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 
+#include "base/no_process.hpp"
 #include "io/supervise.hpp"
 
 namespace ccdfuzz {
@@ -47,7 +47,7 @@ void leave_out_middle(std::string& text) {
 }
 
 [[noreturn]] void system_refused(const char* what, int error) {
-  throw std::system_error(error, std::generic_category(), fmt::format("cannot {}", what));
+  throw NoProcess(fmt::format("the system refuses: cannot {}: {}", what, std::strerror(error)));
 }
 
 /// Two descriptors that no other child inherits.
@@ -156,7 +156,8 @@ Result<std::string> find_worker_program() {
 
 void Child::start() {
   kill();
-  const std::string program = value_or_throw(find_worker_program());
+  const Result<std::string> program = find_worker_program();
+  if (!program) throw NoProcess(program.error().message());
   let_ends_be_known();
   DescriptorPair questions = DescriptorPair::sockets(), replies = DescriptorPair::pipe(),
                  printed = DescriptorPair::pipe();
@@ -166,7 +167,7 @@ void Child::start() {
   for (const int ours : {*questions_, *replies_, *printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
 
   std::vector<std::string> words = {
-      program, std::to_string(program_.limits.megabytes),
+      *program, std::to_string(program_.limits.megabytes),
       std::to_string(static_cast<long>(std::ceil(program_.limits.seconds)) + 2)};
   words.insert(words.end(), program_.command.begin(), program_.command.end());
   std::vector<char*> arguments;
@@ -187,7 +188,7 @@ void Child::start() {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   const int failed =
-      ::posix_spawn(&pid_, program.c_str(), &files, &attributes, arguments.data(), environ);
+      ::posix_spawn(&pid_, program->c_str(), &files, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) {

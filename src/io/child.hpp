@@ -68,9 +68,11 @@ class Child {
   /// Sends the line (without its end) and waits for one in return. It is started when it is first
   /// asked, and anew after a fault. A line that it wrote before it was asked is taken as that one:
   /// what it says will not fit. If this process ignores SIGCHLD, it does so no more. Errors: throws
-  /// std::system_error where the system refuses a process, InputError's text where the program
-  /// that starts children is not there. least_seconds: it has so long at least, whatever its limit.
+  /// NoProcess where the system refuses one, or the program that starts children is not there.
+  /// least_seconds: it has so long at least, whatever its limit.
   tl::expected<std::string, Fault> ask(const std::string& line, double least_seconds = 0);
+  /// From now on this is ChildProgram::interrupted.
+  void heed(const std::atomic<bool>* interrupted) { program_.interrupted = interrupted; }
   /// Ends it, at once and for sure.
   void kill();
 

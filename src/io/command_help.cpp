@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/no_process.hpp"
 #include "base/text.hpp"
 
 namespace ccdfuzz {
@@ -278,8 +279,12 @@ std::string ended_by(const std::exception& error) {
   const bool is_wrong_size = dynamic_cast<const std::bad_array_new_length*>(&error) != nullptr;
   const bool is_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   if (is_of_memory && !is_wrong_size) return "there is no memory left";
-  const bool is_refused = dynamic_cast<const std::system_error*>(&error) != nullptr;
-  return fmt::format("{}: {}", is_refused ? "the system refuses" : "internal error", error.what());
+  if (dynamic_cast<const NoProcess*>(&error) != nullptr) return error.what();
+  // TBB throws this text.
+  const bool is_thread = std::string_view(error.what()).starts_with("pthread_create has failed");
+  const bool is_refused = is_thread || dynamic_cast<const std::system_error*>(&error) != nullptr;
+  return fmt::format("{}: {}{}", is_refused ? "the system refuses" : "internal error", error.what(),
+                     is_thread ? "; --threads N asks for fewer" : "");
 }
 
 }  // namespace ccdfuzz

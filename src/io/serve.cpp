@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include "base/no_process.hpp"
 #include "io/process_limits.hpp"
+#include "io/supervise.hpp"
 
 namespace ccdfuzz {
 
@@ -46,6 +48,9 @@ std::string worked(const std::function<std::string(const std::string&)>& work,
     return answer;
   } catch (const std::bad_alloc&) {
     return to_json(Fault{"memory", "no more memory within its limit"});
+  } catch (const NoProcess& none) {
+    std::fprintf(stderr, "%s: %s\n", kStartsNone, none.what());
+    std::_Exit(kStartsNoneCode);
   } catch (const std::exception& error) {
     return to_json(Fault{"exception", error.what()});
   } catch (...) {

@@ -12,7 +12,7 @@ namespace ccdfuzz {
 void continue_in_supervised_child();
 
 /// What a watcher prints that can start no process, on stderr, and its exit code: whoever hears
-/// both does not blame the child, which never was.
+/// both does not blame the child, which never was. A served child says so of those that it starts.
 inline constexpr const char* kStartsNone = "ccdfuzz: cannot start a process";
 inline constexpr int kStartsNoneCode = 71;
 

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "base/no_process.hpp"
 #include "case/mesh.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
@@ -78,6 +79,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     answer = timed_answer(method, known.query(), options);
   } catch (const MethodFault& fault) {
     return failed(fault, fault.name());
+  } catch (const NoProcess&) {
+    throw;
   } catch (const std::exception& error) {
     return failed(error, "exception");
   }

@@ -21,7 +21,8 @@ Result<CheckedCase> decided_and_checked(NamedCase& named);
 Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ordinary);
 
 /// Puts the query of a case to a method and judges the answer by its terms. A method that throws
-/// has the outcome error, with what it threw as the note, and undecided as the verdict.
+/// has the outcome error, with what it threw as the note, and undecided as the verdict. Errors:
+/// throws NoProcess where it does.
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options);
 
 /// How deep two bodies, or linear patches, pass through each other, at least, in the time that a

@@ -59,7 +59,7 @@ class Method {
   virtual ~Method() = default;
   /// Any bits may be asked about. What it does not take (is_taken, or a kind of query that it does
   /// not answer) it refuses, naming the reason. Errors: throws MethodFault, or any other exception,
-  /// where it fails to answer.
+  /// where it fails to answer; NoProcess is none of its failures.
   virtual Answered answer(const Query& query, const SearchOptions& options) = 0;
   /// True iff it answers in another process, so that this one's CPU time does not measure it.
   virtual bool runs_elsewhere() const { return false; }

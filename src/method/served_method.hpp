@@ -13,7 +13,7 @@ inline constexpr ChildLimits kServedLimits = {.seconds = 300, .cpu_seconds = 30}
 
 /// A built-in method that answers in a process of its own, `ccdfuzz serve SPEC`. So its crash or
 /// hang is a MethodFault. A child that has answered before is not accused: a new one is asked.
-/// Undecided, with a note: the system refuses a process. Errors: as served_child.
+/// Errors: as served_child.
 Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits);
 
 /// make_method, served. A method that runs elsewhere already stays as it is. Without a max_seconds

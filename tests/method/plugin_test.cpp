@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "admitted.hpp"
+#include "base/no_process.hpp"
 #include "meeting_points.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
@@ -21,6 +22,13 @@ const std::string kMisbehavingProgram =
     std::string("plugin-exec:") + CCDFUZZ_TEST_MISBEHAVING_PROGRAM;
 const std::string kLinear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;
 const std::string kNaive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
+
+/// A program of a shell; its spec.
+std::string program(const std::string& path, const std::string& text) {
+  write_text(path, "#!/bin/sh\n" + text);
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return "plugin-exec:" + path;
+}
 
 std::unique_ptr<Method> made(const std::string& spec) {
   return value_or_throw(admitted(spec));
@@ -77,7 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"malloc:mb=200:seconds=20", "memory", ""},
                     Misdeed{"print:seconds=20", "output", "prints without end"},
                     Misdeed{"silent", "unanswered", ""}, Misdeed{"nan", "toi NaN", ""},
-                    Misdeed{"no-toi", "toi infinite", ""}, Misdeed{"outside", "toi outside", "2"},
+                    Misdeed{"half", "uv NaN", ""}, Misdeed{"no-toi", "toi infinite", ""},
+                    Misdeed{"outside", "toi outside", "2"},
                     Misdeed{"negative", "toi outside", "-1"}, Misdeed{"backwards", "toi order", ""},
                     Misdeed{"verdict", "garbage", "99"}, Misdeed{"small", "sizes", "4 bytes"},
                     Misdeed{"large", "sizes", ""}, Misdeed{"overrun", "sizes", "past the end"},
@@ -165,16 +174,12 @@ TEST(Plugin, AnswersInEitherOrderOfThePatches) {
   EXPECT_NEAR(answer.uv[0][1], 0.5, 1e-12);
 }
 
-TEST(Plugin, IsNotAskedAboutShapesThatItDoesNotTake) {
-  const Answer answer = made(kNaive)->answer(falling_vertex(), {});
-  EXPECT_EQ(answer.verdict, Verdict::kRefused);
-  EXPECT_EQ(answer.note, "does not take point and triangle(1)");
-}
-
-TEST(Plugin, IsNotAskedWhatIsNotValid) {
+TEST(Plugin, IsNotAskedAboutShapesThatItDoesNotTakeNorWhatIsNotValid) {
+  const auto naive = made(kNaive);
   Query query = falling_vertex();
+  EXPECT_EQ(naive->answer(query, {}).note, "does not take point and triangle(1)");
   query.patches[1].positions[0][0] = std::numeric_limits<double>::quiet_NaN();
-  const Answer answer = made(kNaive)->answer(query, {});
+  const Answer answer = naive->answer(query, {});
   EXPECT_EQ(answer.verdict, Verdict::kRefused);
   EXPECT_EQ(answer.note, "patches[1].positions[0][0]: nan is not finite");
 }
@@ -200,9 +205,7 @@ TEST(Plugin, SaysWhatItIsAndClaims) {
 // A file may hold any spec: looking it up must start nothing.
 TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
   const ScratchFolder folder;
-  write_text(folder / "trap", "#!/bin/sh\ntouch " + (folder / "sprung") + "\n");
-  std::filesystem::permissions(folder / "trap", std::filesystem::perms::owner_all);
-  const std::string spec = "plugin-exec:" + (folder / "trap");
+  const std::string spec = program(folder / "trap", "touch " + (folder / "sprung") + "\n");
   EXPECT_FALSE(is_admitted(spec));
   for (const std::string& message :
        {make_method(spec).error().message(), method_info(spec).error().message()}) {
@@ -216,24 +219,23 @@ TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
 
 TEST(Plugin, IsAtFaultWhenItRefusesToBeStartedAgain) {
   const ScratchFolder folder;
-  write_text(folder / "once", "#!/bin/sh\nread line\nif [ -e " + (folder / "started") +
-                                  " ]; then echo '{\"refused\":\"options\",\"message\":\"not "
-                                  "again\"}'; exit; fi\ntouch " +
-                                  (folder / "started") + "\necho '{\"protocol\":1}'\n");
-  std::filesystem::permissions(folder / "once", std::filesystem::perms::owner_all);
-  const auto once = made("plugin-exec:" + (folder / "once"));
+  const auto once = made(program(
+      folder / "once", "read line\nif [ -e " + (folder / "started") +
+                           " ]; then echo '{\"refused\":\"options\",\"message\":\"not again\"}'; "
+                           "exit; fi\ntouch " +
+                           (folder / "started") + "\necho '{\"protocol\":1}'\n"));
   EXPECT_EQ(fault_of(*once),
             std::pair(std::string("refused"), std::string("when asked what it is: not again")));
+  std::filesystem::remove(folder / "once");
+  EXPECT_THROW(fault_of(*once), NoProcess) << "its file may be there again in a moment";
 }
 
 TEST(Plugin, IsAtFaultWhenItDescribesItselfOtherwiseWhenItIsStartedAgain) {
   const ScratchFolder folder;
-  write_text(folder / "fickle",
-             "#!/bin/sh\nread line\necho x >> " + (folder / "starts") + "\nn=$(wc -l < " +
-                 (folder / "starts") +
-                 ")\necho '{\"protocol\":1,\"name\":\"same\",\"version\":\"'$n'\"}'\nread line\n");
-  std::filesystem::permissions(folder / "fickle", std::filesystem::perms::owner_all);
-  const auto fickle = made("plugin-exec:" + (folder / "fickle"));
+  const auto fickle = made(program(
+      folder / "fickle",
+      "read line\necho x >> " + (folder / "starts") + "\nn=$(wc -l < " + (folder / "starts") +
+          ")\necho '{\"protocol\":1,\"name\":\"same\",\"version\":\"'$n'\"}'\nread line\n"));
   for (const char* change : {R"(version ("1", then "2"))", R"(version ("1", then "3"))"}) {
     const auto [name, note] = fault_of(*fickle);
     EXPECT_EQ(name, "description");
@@ -244,27 +246,22 @@ TEST(Plugin, IsAtFaultWhenItDescribesItselfOtherwiseWhenItIsStartedAgain) {
   EXPECT_EQ(changes_between(R"({"protocol":1,"within":7})", R"({"within":7, "protocol":1})"), "");
 }
 
-TEST(Plugin, IsBadInputWhenItRefusesToStart) {
+TEST(Plugin, IsBadInputWhenItRefusesToStartOrItsFileIsNone) {
   const ScratchFolder folder;
-  write_text(folder / "silent", "#!/bin/sh\nread line\necho '{\"refused\":\"options\"}'\n");
-  std::filesystem::permissions(folder / "silent", std::filesystem::perms::owner_all);
-  const std::string spec = "plugin-exec:" + (folder / "silent");
+  const std::string spec =
+      program(folder / "silent", "read line\necho '{\"refused\":\"options\"}'\n");
   EXPECT_EQ(admit_plugin(spec).error().message(),
             "method: \"" + spec + "\": refuses to start, and does not say why");
-}
-
-TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
-  const ScratchFolder folder;
   write_text(folder / "text", "no library\n");
   write_text(folder / "mute", "#!/bin/sh\n");
-  for (const std::string& spec :
+  for (const std::string& none :
        {std::string("plugin:"), "plugin:" + folder.path(), "plugin:" + (folder / "nothing"),
         "plugin:" + (folder / "text"), "plugin-exec:" + (folder / "mute"),
         std::string("plugin:/usr/bin/env"), kLinear + ":unknown-option", kNaive + ":seconds=-1",
         kNaive + ":seconds=x", kNaive + ":mb=1", kNaive + ":repeat=maybe"}) {
-    const auto refused = admit_plugin(spec);
-    ASSERT_FALSE(refused) << spec;
-    EXPECT_THAT(refused.error().message(), testing::HasSubstr("\"" + spec + "\""));
+    const auto refused = admit_plugin(none);
+    ASSERT_FALSE(refused) << none;
+    EXPECT_THAT(refused.error().message(), testing::HasSubstr("\"" + none + "\""));
   }
   EXPECT_THAT(admit_plugin("plugin:" + (folder / "text")).error().message(),
               testing::HasSubstr("a program is plugin-exec:PATH"));

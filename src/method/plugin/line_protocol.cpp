@@ -304,7 +304,11 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
 
 tl::expected<PluginDescription, Fault> read_description(const std::string& line) {
   CCDFUZZ_TRY(const auto object, parse_object(line));
-  if (object.find("refused") != nullptr) return answer_fault(kRefusal, text_of(object, "message"));
+  if (object.find("refused") != nullptr) {
+    const std::string what = text_of(object, "refused");  // as worker.cpp says
+    const bool is_away = what == "program" || what == "library" || what == "version";
+    return answer_fault(is_away ? kAway : kRefusal, text_of(object, "message"));
+  }
   CCDFUZZ_TRY_VOID(check_no_fault(object));
   if (number_of(object.find("protocol")) != 1.0) {
     return garbage_answer("does not describe itself with \"protocol\": 1: " + line.substr(0, 80));

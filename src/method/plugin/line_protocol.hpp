@@ -67,8 +67,10 @@ std::string query_request(const Query& query, const SearchOptions& options, std:
 
 /// The fault of a plug-in that cannot be used at all: it is the user who must act.
 inline constexpr const char* kRefusal = "refused";
-/// Errors: kRefusal (it says so, or claims a tolerance above those limits), or anything that is not
-/// a description.
+/// The same, said by who was to run it: its file is not there, or is none of this version.
+inline constexpr const char* kAway = "away";
+/// Errors: kRefusal (it says so, or claims a tolerance above those limits), kAway, or anything that
+/// is not a description.
 tl::expected<PluginDescription, Fault> read_description(const std::string& line);
 /// The fields in which two descriptions differ, with what each says: "version (\"1\", then
 /// \"2\")". Empty: none. Requires lines that read_description takes.

@@ -8,9 +8,9 @@
 #include <map>
 #include <mutex>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
+#include "base/no_process.hpp"
 #include "base/stopwatch.hpp"
 #include "io/hash_name.hpp"
 #include "method/plugin/feature_claims.hpp"
@@ -73,13 +73,13 @@ class PluginMethod : public Method {
       return no_answer(Verdict::kUndecided,
                        fmt::format("is asked no more: hung {} times one after the other", hangs_));
     }
+    if (options.is_stopped()) throw NoProcess("interrupted");
+    worker_.heed(options.stop);
     try {
       return answer_or_throw(query, options);
     } catch (const MethodFault& fault) {
       hangs_ = fault.name() == "hang" ? hangs_ + 1 : 0;
       throw;
-    } catch (const std::system_error& refused) {
-      return no_answer(Verdict::kUndecided, refused.what());  // that is no fault of the method
     }
   }
 
@@ -112,6 +112,9 @@ class PluginMethod : public Method {
 
   [[noreturn]] void throw_fault(const Fault& fault) {
     worker_.kill();
+    if (fault.name == kAway || fault.name == "interrupted") {
+      throw NoProcess(fmt::format("\"{}\": {}", plugin_->spec.text, fault.note));
+    }
     throw MethodFault(fault.name, fault.note);
   }
 
@@ -126,10 +129,12 @@ class PluginMethod : public Method {
     return ask_and_repeat(query, options);
   }
 
-  /// Where the time of a query is limited, nothing more is asked of it once that is over.
+  /// Nothing more is asked of it once its time is over, or who asks is interrupted.
   PluginAnswer ask_and_repeat(const Query& query, const SearchOptions& options) {
     const Stopwatch watch;
-    const auto is_over = [&] { return watch.seconds() >= options.max_seconds; };
+    const auto is_over = [&] {
+      return watch.seconds() >= options.max_seconds || options.is_stopped();
+    };
     PluginAnswer given = ask_once(query, options);
     // What it refuses it is not held to.
     if (given.answer.verdict == Verdict::kRefused) return given;
@@ -231,9 +236,10 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   auto description = described_by(worker, spec);
   if (!description) {
     const auto& [name, note] = description.error();
-    const std::string why = name != kRefusal ? name + " " + when_described(description.error())
-                            : note.empty()   ? "refuses to start, and does not say why"
-                                             : note;
+    const bool refuses = name == kRefusal || name == kAway;
+    const std::string why = !refuses       ? name + " " + when_described(description.error())
+                            : note.empty() ? "refuses to start, and does not say why"
+                                           : note;
     return input_error("method", fmt::format("\"{}\": {}", text, why));
   }
   return std::make_shared<const KnownPlugin>(KnownPlugin{spec, *std::move(description), program});
