@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// More than what who is interrupted still does for, ChildProgram::kPatience.
+/// Longer than an interrupted command may still wait for a child (ChildProgram::kPatience).
 constexpr unsigned kSecondsToEnd = 2;
 
 std::atomic<bool> was_interrupted = false;
@@ -45,8 +45,8 @@ void on_deadly_signal(int signal) {
   ::raise(signal);
 }
 
-/// Whoever started this may have the signal ignored, and that stays. So does nohup of SIGHUP, and a
-/// script of SIGINT where it runs this in the background.
+/// Whoever started this may have the signal ignored, and that stays. nohup ignores SIGHUP, and a
+/// script SIGINT where it runs this in the background.
 void handle_unless_ignored(int signal, const struct sigaction& action) {
   struct sigaction before {};
   sigaction(signal, nullptr, &before);
@@ -62,7 +62,7 @@ void end_on_signals() {
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGALRM, &action, nullptr);
-  // The last: the terminal was closed.
+  // SIGHUP: the terminal was closed.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle_unless_ignored(signal, action);
   action.sa_handler = on_deadly_signal;
   action.sa_flags = SA_RESETHAND;

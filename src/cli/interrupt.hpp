@@ -7,9 +7,9 @@ namespace ccdfuzz {
 /// How SIGINT (Ctrl-C), SIGTERM and SIGHUP end this program: at once, with exit code 128 + the
 /// signal and without leaving a temporary file. What is on the disk is whole whenever that is, as
 /// files appear whole and run files are read up to their last whole record. SIGPIPE, SIGQUIT and
-/// SIGXCPU end it as they do by default, without leaving a temporary file either. What this program
-/// was started with ignored stays ignored. SIGXFSZ is, so that a file that grows too large is an
-/// error of whoever writes it. Called once, by main.
+/// SIGXCPU end it as they do by default, without leaving a temporary file either. A signal that was
+/// ignored when the program was started stays ignored. SIGXFSZ is ignored, so that a file that
+/// grows too large is an error of whoever writes it. Called once, by main.
 void end_on_signals();
 
 /// For a command that has results to print. The first signal sets the returned flag, which the

@@ -10,9 +10,8 @@ namespace ccdfuzz {
 
 /// The loop of a child that is a program of ours: answers each line of stdin with a line on stdout
 /// until stdin ends. What `work` prints goes to stderr. Where it throws, the answer is a Fault,
-/// "memory" or "exception", and the process ends; whoever asks throws NoProcess where it does. A
-/// question that takes more CPU time than that, if
-/// it is not 0, ends the process by SIGPROF.
+/// "memory" or "exception", and the process ends. Where it throws NoProcess, so does whoever asks.
+/// A question that takes more CPU time than that, if it is not 0, ends the process by SIGPROF.
 [[noreturn]] void serve_lines(const std::function<std::string(const std::string&)>& work,
                               double cpu_seconds);
 
