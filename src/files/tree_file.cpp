@@ -131,6 +131,7 @@ Result<void> refuse_shared(const std::string& case_path, std::string_view ending
 }
 
 Result<void> remove_beside(const std::string& case_path, std::string_view ending) {
+  if (!refuse_shared(case_path, ending)) return {};
   std::error_code error;
   const std::string old = path_beside(case_path, ending);
   CCDFUZZ_TRY_VOID(refuse_read_only(old));

@@ -51,7 +51,8 @@ Result<void> carry_tree(Truth& truth, const std::string& trees, const std::strin
 Result<void> refuse_shared(const std::string& case_path, std::string_view ending);
 
 /// For a case file that has no such file beside it, in place of one that may have had: removes the
-/// file of path_beside. Errors: it cannot be removed, naming it.
+/// file of path_beside. It stays where it may belong to another case file (refuse_shared). Errors:
+/// it cannot be removed, naming it.
 Result<void> remove_beside(const std::string& case_path, std::string_view ending);
 
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.

@@ -115,7 +115,13 @@ bool is_stream(const std::string& path) {
 }
 
 bool is_temporary(std::string_view file_name) {
-  return file_name.starts_with(kTemporaryPrefix);
+  if (!file_name.starts_with(kTemporaryPrefix)) return false;
+  file_name.remove_prefix(kTemporaryPrefix.size());
+  // As new_temporary_name makes it: two numbers.
+  const size_t dash = file_name.find_first_not_of("0123456789"), rest = dash + 1;
+  return dash != 0 && dash != std::string_view::npos && file_name[dash] == '-' &&
+         rest < file_name.size() &&
+         file_name.find_first_not_of("0123456789", rest) == std::string_view::npos;
 }
 
 void remove_unfinished_files() {
