@@ -137,8 +137,8 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     result.not_known = std::erase_if(result.rows, [&](const ReplayRow& row) {
       const auto stated = before.find(row.method);
       const bool was_error = stated != before.end() && stated->second.outcome == Outcome::kError;
-      return *options.expect == Outcome::kCorrect && !known->collides() &&
-             row.got.outcome == Outcome::kUnknown && !was_error;
+      return row.expected.outcome != *options.expect && row.got.outcome == Outcome::kUnknown &&
+             !was_error;
     });
     result.not_taken = std::erase_if(
         result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
