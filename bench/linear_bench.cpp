@@ -56,8 +56,7 @@ void linear(benchmark::State& state, const Shape& a, const Shape& b) {
   }
   const auto asked = static_cast<double>(micros.count()) * kRepeats;
   const certified::Tiers tiers = method.tiers();
-  state.counters["short_percent"] = 100 * static_cast<double>(tiers.short_integers) / asked;
-  state.counters["long_percent"] = 100 * static_cast<double>(tiers.long_integers) / asked;
+  state.counters["integers_percent"] = 100 * static_cast<double>(tiers.integers) / asked;
   state.counters["mean_us"] = micros.mean();
   state.counters["p99_us"] = micros.p99();
   state.counters["p99.9_us"] = micros.quantile(0.999);

@@ -64,6 +64,11 @@ set(ccdfuzz_read_once <Eigen/Core> <fmt/format.h> <gmpxx.h> <algorithm> <array> 
 
 include(cmake/fp_rules.cmake)
 
+# GCC collects its garbage first at half a gigabyte: a tenth of its time, for half as much memory again.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=500000>)
+endif()
+
 # Of what asks, counts and prints; what takes time is elsewhere. It compiles in half the time, under
 # sanitizers in a third.
 set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)

@@ -10,7 +10,7 @@ install(TARGETS ccdfuzz_flags ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
 # with arithmetic that an error bound speaks of do. (tests/build/consumer compiles each by itself.)
 set(ccdfuzz_public_headers
   bezier/patch.hpp bezier/shape.hpp bezier/turn.hpp
-  ccd/search_options.hpp
+  case/search_options.hpp
   certify/checker/check_box.hpp certify/checker/check_case.hpp certify/checker/check_linear.hpp
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
   certify/checker/check_witness.hpp certify/checker/work_done.hpp certify/checker/work.hpp
@@ -20,7 +20,7 @@ set(ccdfuzz_public_headers
   numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/fraction.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/enum_names.hpp base/result.hpp base/stopwatch.hpp base/time_limit.hpp base/verify.hpp
   case/answer.hpp case/body_kind.hpp case/case.hpp case/certificate.hpp
   case/checked_case.hpp case/judge.hpp case/outcome.hpp case/query.hpp case/taxonomy.hpp
-  files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp files/tree_file.hpp
+  files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp
   io/descriptor.hpp io/input_bytes.hpp io/line_reader.hpp io/output_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)

@@ -5,10 +5,7 @@
 //   run FILE...              what the fuzz target does with it
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "files/case_files.hpp"
 #include "files/case_json.hpp"
@@ -16,84 +13,68 @@
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "fuzz/unproven.hpp"
+#include "io/line_reader.hpp"
+#include "io/output_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace ccdfuzz {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t kMostBytes = 64 << 20;
 
-int refuse(const std::string& message) {
-  std::cerr << "case inputs: " << message << '\n';
-  return 2;
-}
-
-std::optional<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(in), {});
-}
-
-bool write_bytes(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()),
-            static_cast<std::streamsize>(bytes.size()));
-  return static_cast<bool>(out.flush());
-}
-
-int encode(const std::string& folder, const std::string& corpus) {
-  const Result<std::vector<std::string>> paths = corpus_files(corpus);
-  if (!paths) return refuse(paths.error().message());
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return refuse(fmt::format("{}: {}", folder, error.message()));
+/// Errors: of the corpus or the folder.
+Result<std::string> encode(const std::string& folder, const std::string& corpus) {
+  CCDFUZZ_TRY(const auto paths, corpus_files(corpus));
+  CCDFUZZ_TRY_VOID(make_folder(folder));
   size_t written = 0;
-  CaseStream cases(*paths);
+  CaseStream cases(paths);
   for (;;) {
-    const Result<std::optional<NamedCase>> next = cases.next();
-    if (!next) return refuse(next.error().message());
-    if (!*next) break;
-    const auto q = contact_of((*next)->value);
+    CCDFUZZ_TRY(const auto next, cases.next());
+    if (!next) return fmt::format("{} seeds in {}", written, folder);
+    const auto q = contact_of(next->value);
     for (std::uint8_t method = 0; q && method < kUnproven.size(); ++method) {
       const auto bytes = to_bytes(*q, method);
       if (!bytes) break;
-      const fs::path file =
-          fs::path(folder) / fmt::format("{}-{}", content_address(q->query), method);
-      if (!write_bytes(file, *bytes)) return refuse(fmt::format("{}: cannot write", file.string()));
+      CCDFUZZ_TRY_VOID(
+          write_file(fmt::format("{}/{}-{}", folder, content_address(q->query), method),
+                     std::string(bytes->begin(), bytes->end())));
       ++written;
     }
   }
-  std::cout << fmt::format("{} seeds in {}\n", written, folder);
-  return 0;
 }
 
-int for_each_file(const std::vector<std::string>& paths, bool decodes) {
+/// Errors: a file cannot be read, or is no case.
+Result<std::string> for_each_file(const std::vector<std::string>& paths, bool decodes) {
   for (const std::string& path : paths) {
-    const auto bytes = read_bytes(path);
-    if (!bytes) return refuse(fmt::format("{}: cannot read", path));
+    CCDFUZZ_TRY(const std::string text, read_text(path, kMostBytes));
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     if (!decodes) {
-      LLVMFuzzerTestOneInput(bytes->data(), bytes->size());
+      LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
       continue;
     }
-    const std::vector<Case> cases = cases_of(*bytes);
-    if (cases.empty()) return refuse(fmt::format("{}: is no valid query", path));
+    const std::vector<Case> cases = cases_of(bytes);
+    if (cases.empty()) return input_error(path, "is no valid query");
     for (const Case& value : cases) std::cout << to_json(value) << '\n';
   }
-  if (!decodes) std::cout << fmt::format("{} inputs run, none failed\n", paths.size());
-  return 0;
+  return decodes ? "" : fmt::format("{} inputs run, none failed", paths.size());
+}
+
+Result<std::string> run(const std::vector<std::string>& words) {
+  const std::string mode = words.empty() ? "" : words[0];
+  if (mode == "encode" && words.size() == 3) return encode(words[1], words[2]);
+  if ((mode == "run" || mode == "decode") && words.size() >= 2) {
+    return for_each_file({words.begin() + 1, words.end()}, mode == "decode");
+  }
+  return input_error("", "say: encode FOLDER CORPUS, decode FILE..., or run FILE...");
 }
 
 }  // namespace
 }  // namespace ccdfuzz
 
 int main(int argc, char** argv) {
-  using namespace ccdfuzz;  // NOLINT: the program's own
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  const std::string mode = words.empty() ? "" : words[0];
-  if (mode == "encode" && words.size() == 3) return encode(words[1], words[2]);
-  if ((mode == "run" || mode == "decode") && words.size() >= 2) {
-    return for_each_file({words.begin() + 1, words.end()}, mode == "decode");
-  }
-  return refuse("say: encode FOLDER CORPUS, decode FILE..., or run FILE...");
+  const auto done = ccdfuzz::run({argv + 1, argv + argc});
+  if (!done) std::cerr << "case inputs: " << done.error().message() << '\n';
+  if (done && !done->empty()) std::cout << *done << '\n';
+  return done ? 0 : 2;
 }

@@ -4,7 +4,6 @@
 // known to be false is an input of each other claim of the suite that does not discard it.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <set>

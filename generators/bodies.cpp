@@ -332,8 +332,6 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   return out;
 }
 
-namespace {
-
 /// Two bodies that touch without depth, by t* at the latest: they move along the plane that is
 /// between them. So a vertex passes exactly through another, or along a face. A ball touches an
 /// edge or a vertex for one instant, as it passes by. The oracle decides. RP: kept is what is apart
@@ -349,15 +347,12 @@ Attempted grazing_bodies_case(const GeneratorOptions& options, Draw& draw) {
   return made;
 }
 
-}  // namespace
-
 std::optional<Case> case_of_bodies(const Query& query) {
   Case out;
   out.query = query;
   out.truth = decide(query).truth;
   if (!out.truth.collides) return std::nullopt;
-  const auto& clearance = out.truth.clearance;
-  if (const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr) {
+  if (const auto* apart = clearance_of<BodyClearance>(out.truth)) {
     out.origin.contact = name_of(class_of_bodies(query, apart->normal));
   }
   if (const auto touched = touched_face(out)) {
@@ -366,16 +361,6 @@ std::optional<Case> case_of_bodies(const Query& query) {
   out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
   out.origin.generator = "mutant";
   return out;
-}
-
-std::span<const FamilyRow> body_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats",
-       classes(kAllClasses, kAllClasses, {}, kAllClasses), framed_bodies, own_shapes},
-      {Family::kBodiesGrazing, "bodies-grazing", "convex bodies that touch without depth",
-       classes(kAllClasses, {}, {}, kAllClasses), grazing_bodies_case, own_shapes},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

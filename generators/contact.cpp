@@ -6,6 +6,8 @@
 
 #include "bezier/bernstein.hpp"
 #include "bezier/trim_region.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/oracle/outcome_of.hpp"
 #include "generators/shaped/features.hpp"
 #include "numeric/small_dyadic.hpp"
 
@@ -72,12 +74,16 @@ std::string time_text(double t) {
   return fmt::format("{} ({})", t, to_hex(t));
 }
 
-/// What was answered beside the contact's time, or the two doubles around it where it is none.
-std::string answered_text(const Rational& t, const Answer& answer, const AnswerTerms& terms) {
-  std::string text = fmt::format("answered {}", name_of(answer.verdict));
-  if (answer.has_toi()) text += " at " + time_text(*answer.toi);
+/// "answered hit at 0.5 (0x1p-1)".
+std::string answer_text(const Answer& answer) {
+  const std::string text = fmt::format("answered {}", name_of(answer.verdict));
+  return answer.has_toi() ? text + " at " + time_text(*answer.toi) : text;
+}
+
+/// The contact's time, or the two doubles around it where it is none; and what is tolerated.
+std::string contact_text(const Rational& t, const AnswerTerms& terms) {
   const double before = round_down(t), after = round_up(t);
-  text += "; they touch at t = " + time_text(before);
+  std::string text = time_text(before);
   if (exact(before) != t) text += " to " + time_text(after);
   if (compare(terms.time_tolerance, 0) == 0) return text;
   return text + fmt::format("; a hit may be {} later", terms.time_tolerance);
@@ -105,10 +111,7 @@ Dyadic Contact::weight(size_t side) const {
 Vec3<Dyadic> Contact::offset() const {
   const Vec3<Dyadic> a = point(0), b = point(1);
   if (query.patches[0].weights.empty() && query.patches[1].weights.empty()) return a - b;
-  const Dyadic of_a = weight(0), of_b = weight(1);
-  Vec3<Dyadic> out;
-  for (int k = 0; k < 3; ++k) out[k] = a[k] * of_b - b[k] * of_a;
-  return out;
+  return a * weight(1) - b * weight(0);
 }
 
 Vec3<Dyadic> Contact::point(size_t side) const {
@@ -186,7 +189,20 @@ Contact falling_point() {
 Explained is_false_negative(const Contact& contact, const Answer& answer,
                             const AnswerTerms& terms) {
   const Rational t = contact.t.rational();
-  return {lets_through(contact.query.t_max, t, answer, terms), answered_text(t, answer, terms)};
+  return {lets_through(contact.query.t_max, t, answer, terms),
+          fmt::format("{}; they touch at t = {}", answer_text(answer), contact_text(t, terms))};
+}
+
+Explained is_wrong(const Case& known, const Answer& answer, const AnswerTerms& terms) {
+  const CheckedCase checked = checked_or_unknown(known);
+  const Outcome outcome = outcome_of(checked, answer, terms, false);
+  const std::optional<bool> collides = checked.collides();
+  const std::string proven = !collides ? "nothing is proven of contacts"
+                             : *collides
+                                 ? "contact by t = " + contact_text(*checked.contact_by(), terms)
+                                 : "no contact in [0, t_max]";
+  return {is_failure(outcome),
+          fmt::format("{}: {}; {}", name_of(outcome), answer_text(answer), proven)};
 }
 
 Case case_of(const Contact& q) {

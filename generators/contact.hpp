@@ -70,6 +70,13 @@ struct Explained {
 Explained is_false_negative(const Contact& contact, const Answer& answer,
                             const AnswerTerms& terms = {});
 
+/// True iff the answer is missed, late, a false positive or nonsense, by what of the case is proven
+/// (outcome_of). This serves all cases: with ends, with a separation, of bodies. The reason has the
+/// outcome, the answer and the proof: "missed: answered miss; contact by t = 0.25 (0x1p-2)". Only
+/// nonsense is wrong where the case proves nothing, or where what it says does not hold. Requires
+/// finite terms.
+Explained is_wrong(const Case& known, const Answer& answer, const AnswerTerms& terms = {});
+
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.
 Case case_of(const Contact& q);
 

@@ -39,8 +39,6 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
   return out;
 }
 
-namespace {
-
 /// A regular or interior-time case whose patches have ends. Some difference of an end to the start
 /// is no double.
 Attempted ends_case(const GeneratorOptions& options, Draw& draw) {
@@ -54,16 +52,6 @@ Attempted ends_case(const GeneratorOptions& options, Draw& draw) {
   if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);
   for (const Similarity& change : changes) made = *similar(made, change);
   return as_asked(std::move(made), options);
-}
-
-}  // namespace
-
-std::span<const FamilyRow> ends_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kEnds, "ends", "two positions, whose differences are no doubles",
-       classes(kAllClasses, kAllClasses), ends_case},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

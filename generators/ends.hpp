@@ -1,7 +1,6 @@
 #pragma once
 
 #include "generators/draw/draw.hpp"
-#include "generators/generate.hpp"
 #include "generators/similar.hpp"
 
 namespace ccdfuzz {

@@ -1,4 +1,4 @@
-#include "generators/extract.hpp"
+#include "generators/paper.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -3,6 +3,7 @@
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "generators/first_contact.hpp"
 
 namespace ccdfuzz {
 
@@ -19,6 +20,12 @@ std::optional<Query> to_query(const Scene& scene) {
   return query;
 }
 
+void say_contact(Case& value, const Witness& witness) {
+  CCDFUZZ_VERIFY(check_witness(value.query, witness));
+  value.truth.collides = true;
+  value.truth.witness = witness;
+}
+
 void say_clear(Case& value, double t_max) {
   value.query.t_max = t_max;
   Truth& truth = value.truth;
@@ -28,29 +35,14 @@ void say_clear(Case& value, double t_max) {
   truth.proof = is_certified ? proof_word(*truth.clearance) : "rational-tdibm";
 }
 
-Case finalize(const Scene& scene, const Query& query, CaseKind kind,
-              const std::optional<Absence>& clear) {
-  Case result;
-  result.query = query;
-  // These kinds stand or fall with the contact, so the checker sees it before any is let out; but a
-  // near-miss has none.
-  const Witness witness{scene.contact.t.rational(),
-                        {uv_of(scene.contact.x[0]), uv_of(scene.contact.x[1])}};
-  CCDFUZZ_VERIFY(kind == CaseKind::kNMN || check_witness(query, witness));
-  if (clear) {
-    result.truth.clear_until = clear->until.rational();
-    if (clear->plane) result.truth.clearance = *clear->plane;
+Attempted proven_apart(Case value, const GeneratorOptions& options) {
+  const double t_max = value.query.t_max;
+  if (!miss_is_proven(value.query, options.proof_pops)) {
+    return tl::unexpected(Discard::kFirstContact);
   }
-  if (kind == CaseKind::kRP || kind == CaseKind::kNHP) {
-    result.truth.collides = true;
-    result.truth.witness = witness;
-  } else {
-    CCDFUZZ_VERIFY(clear);
-    const std::optional<double> t_max = clear->until.to_double_exactly();
-    CCDFUZZ_VERIFY(t_max);  // t* is a multiple of 2^-3 in (0, 1], eps_T at least 2^-40
-    say_clear(result, *t_max);
-  }
-  return result;
+  say_clear(value, t_max);
+  value.truth.clear_until = exact(t_max);
+  return value;
 }
 
 }  // namespace ccdfuzz

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "case/case.hpp"
-#include "case/taxonomy.hpp"
+#include "generators/attempts.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -12,14 +12,15 @@ namespace ccdfuzz {
 /// nullopt if one has none (the round trip of Section 5.4).
 std::optional<Query> to_query(const Scene& scene);
 
+/// Makes it a positive by its witness. A construction that is wrong does not get out: the checker
+/// accepts the witness, or an invariant is broken.
+void say_contact(Case& value, const Witness& witness);
+
 /// Makes it a negative that ends at t_max, which is proven to be clear: by the case's own
 /// clearance, where that covers it, else by tdibm-rational.
 void say_clear(Case& value, double t_max);
 
-/// Step VI: the case of a validated scene, with the truth its kind has. query: to_query(scene).
-/// clear: what has been proven of the time before, if anything has.
-/// RP and NHP end at scene.t_max. RN and NMN end at clear->until, which they need.
-Case finalize(const Scene& scene, const Query& query, CaseKind kind,
-              const std::optional<Absence>& clear);
+/// The negative, if a search in exact arithmetic proves in the options' pops that nothing touches.
+Attempted proven_apart(Case value, const GeneratorOptions& options);
 
 }  // namespace ccdfuzz

@@ -3,7 +3,6 @@
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "generators/prescribe.hpp"
 #include "generators/tangent_cone.hpp"
 
 namespace ccdfuzz {
@@ -48,23 +47,24 @@ bool certified_clear(const Query& query, double until) {
 
 }  // namespace
 
-std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
-                                           const Dyadic& until, bool grazing,
-                                           std::uint64_t max_pops) {
+bool prove_first_contact(const Scene& scene, Case& made, const Dyadic& until, bool grazing,
+                         std::uint64_t max_pops) {
   CCDFUZZ_VERIFY(until < scene.contact.t);
-  const auto by_plane = [&](const Vec3<Dyadic>& normal) -> std::optional<Absence> {
+  made.truth.clear_until = until.rational();
+  const auto by_plane = [&](const Vec3<Dyadic>& normal) {
     const MovingPlane plane = moving_plane(scene, normal);
-    return check_plane(query, plane) ? std::optional(Absence{until, plane}) : std::nullopt;
+    const bool is_proven = check_plane(made.query, plane).has_value();
+    if (is_proven) made.truth.clearance = plane;
+    return is_proven;
   };
-  if (auto proof = by_plane(scene.normal)) return proof;
+  if (by_plane(scene.normal)) return true;
   if (!grazing) {
     // Without such a normal the patches are in each other just before t*.
     const std::optional<Vec3<Dyadic>> normal = approach_normal(scene);
-    if (!normal) return std::nullopt;
-    if (auto proof = by_plane(*normal)) return proof;
+    if (!normal) return false;
+    if (by_plane(*normal)) return true;
   }
-  return proven_by_search(query, until, max_pops) ? std::optional(Absence{until, {}})
-                                                  : std::nullopt;
+  return proven_by_search(made.query, until, max_pops);
 }
 
 bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max_pops) {

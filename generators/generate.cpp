@@ -11,7 +11,6 @@
 #include "generators/elsewhere.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
-#include "generators/grazing.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
@@ -133,17 +132,17 @@ Attempted quadratic_case(const GeneratorOptions& options, Draw& draw) {
   if (near_miss) part(*scene, draw.integer(kLeastGap, kLargestGap));
   const std::optional<Query> query = to_query(*scene);
   if (!query) return tl::unexpected(Discard::kRoundTrip);
-  std::optional<Absence> clear;
-  if (options.family == Family::kRegular) {
-    if (!near_miss) {
-      clear = prove_first_contact(*scene, *query, scene->contact.t - eps_t(options),
-                                  is_grazing(options.kind), options.proof_pops);
-    } else if (miss_is_proven(*query, options.proof_pops)) {
-      clear = Absence{scene->t_max, {}};
-    }
-    if (!clear) return tl::unexpected(Discard::kFirstContact);
+  Case made;
+  made.query = *query;
+  if (near_miss) return proven_apart(std::move(made), options);
+  const auto& [t, x] = scene->contact;
+  say_contact(made, {t.rational(), {uv_of(x[0]), uv_of(x[1])}});
+  if (options.family == Family::kRegular &&
+      !prove_first_contact(*scene, made, t - eps_t(options), is_grazing(options.kind),
+                           options.proof_pops)) {
+    return tl::unexpected(Discard::kFirstContact);
   }
-  return finalize(*scene, *query, options.kind, clear);
+  return as_asked(std::move(made), options);
 }
 
 /// One attempt at a case of the family kAnywhere.
@@ -206,19 +205,6 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   out.value.origin.seed = options.seed;
   out.value.origin.index = index;
   return out;
-}
-
-std::span<const FamilyRow> other_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kTwins, "twins", "two control points a few ulps apart hide under a third",
-       classes(kAllClasses)},
-      // Or a planted one (planted.hpp), in other coordinates (elsewhere.hpp). It says of the time
-      // before what that one does.
-      {Family::kAnywhere, "anywhere",
-       "contacts of these families and others in any scale and place; some witness only",
-       classes(kAllClasses)},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

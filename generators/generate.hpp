@@ -27,13 +27,13 @@ constexpr std::array<std::string_view, 2> names_of(Construction) {
 }
 inline constexpr auto kConstructions = all_of(Construction{});
 
-/// The family of the cases, beyond contact class and kind. The file that makes them has its row
-/// (shaped/families.hpp). All but the first are stress families. Each has an exact witness,
-/// whatever the construction asked for. It is made to bring out one weakness, or is a contact of
-/// another kind. Twins are positives of quadratic triangles, and claim nothing of the time before
-/// the contact. The others prove by a moving plane that nothing touches before t*, except where the
-/// row says otherwise. The last ones are not of plain patches. They are of bodies, weights,
-/// surfaces of revolution, loops, ends and separations, of bodies that turn or spin, and of a mesh.
+/// The family of the cases, beyond contact class and kind. Each has a row in shaped/families.cpp.
+/// All but the first are stress families. Each has an exact witness, whatever the construction
+/// asked for. It is made to bring out one weakness, or is a contact of another kind. Twins are
+/// positives of quadratic triangles, and claim nothing of the time before the contact. The others
+/// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
+/// last ones are not of plain patches. They are of bodies, weights, surfaces of revolution, loops,
+/// ends and separations, of bodies that turn or spin, and of a mesh.
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,

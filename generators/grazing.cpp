@@ -1,10 +1,7 @@
-#include "generators/grazing.hpp"
-
-#include <algorithm>
+#include "generators/paper.hpp"
 
 #include "generators/draw_patch.hpp"
 #include "generators/exact_sum.hpp"
-#include "generators/motion.hpp"
 #include "generators/tangent_cone.hpp"
 #include "numeric/products.hpp"
 

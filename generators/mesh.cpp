@@ -221,6 +221,8 @@ bool is_hidden_by_a_graze(const Query& query, const Witness& first, size_t side,
          depth_until(of_face(query, touched), query.t_max) >= 0x1p-10 * query.t_max * way.norm();
 }
 
+}  // namespace
+
 /// A convex body and a mesh (case/mesh.hpp). They touch as two bodies of framed_bodies do, of which
 /// one gave its points to the mesh. What is in contact is inside of a face, on an edge of two
 /// faces, or a corner of a fan. More faces are put to edges that there are. Their third corners are
@@ -275,23 +277,6 @@ Attempted mesh_case(const GeneratorOptions& options, Draw& draw) {
     return tl::unexpected(Discard::kFirstContact);
   }
   return made;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> mesh_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kMesh, "mesh", "a convex body against 1 to 8 triangles",
-       classes(kAllClasses, kAllClasses, {}, kAllClasses), mesh_case, own_shapes},
-      {Family::kMeshOneSided, "mesh-one-sided", "the same with fronts alone",
-       classes(kAllClasses, kAllClasses, {}, kAllClasses), mesh_case, own_shapes},
-      {Family::kMeshGrazing, "mesh-grazing", "a body grazes a mesh, and hits it later",
-       classes(kAllClasses), mesh_case, own_shapes},
-      // A face in the plane of the motion is none of the fronts.
-      {Family::kMeshGrazingOneSided, "mesh-grazing-one-sided", "the same with fronts alone; not FF",
-       classes(kAllButFF), mesh_case, own_shapes},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -1,4 +1,4 @@
-#include "generators/motion.hpp"
+#include "generators/paper.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {

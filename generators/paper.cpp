@@ -1,11 +1,6 @@
 #include "generators/paper.hpp"
 
-#include "generators/extract.hpp"
-#include "generators/grazing.hpp"
-#include "generators/motion.hpp"
 #include "generators/prescribe.hpp"
-#include "generators/static_check.hpp"
-#include "generators/static_contact.hpp"
 
 namespace ccdfuzz {
 

@@ -1,10 +1,9 @@
 #include "generators/paper_set.hpp"
 
 #include "base/verify.hpp"
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/build_tree.hpp"
-#include "files/tree_file.hpp"
-#include "generators/finalize.hpp"
+#include "generators/shaped/shaped_case.hpp"
 
 namespace ccdfuzz {
 
@@ -17,17 +16,6 @@ struct PaperCounts {
 };
 constexpr std::array<PaperCounts, kContactClasses.size()> kPaperCounts = {
     {{6003, 600}, {1020, 100}, {1000, 100}, {1000, 100}, {1000, 100}, {1000, 100}}};
-
-/// The RN case of an RP case.
-Case negative_of(const Case& positive) {
-  CCDFUZZ_VERIFY(positive.truth.clear_until);
-  const std::optional<double> t_max = to_double_exactly(*positive.truth.clear_until);
-  CCDFUZZ_VERIFY(t_max);
-  Case negative = positive;
-  say_clear(negative, *t_max);
-  negative.origin.kind = name_of(CaseKind::kRN);
-  return negative;
-}
 
 }  // namespace
 
@@ -58,16 +46,17 @@ PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed) {
   PaperCases out;
   out.discards = made.discards;
   out.cases.push_back(std::move(made.value));
-  const Case& value = out.cases[0];
-  if (item.kind == CaseKind::kRP) out.cases.push_back(negative_of(value));
-  if (item.kind == CaseKind::kNMN && !value.truth.clearance) {
-    const Rational until = exact(value.query.t_max);
-    auto tree = build_miss_tree(value.query, until, kPaperTreeNodes);
-    if (tree && tree->size() <= kMaxTreeBytes) {
-      CCDFUZZ_VERIFY(check_clearance(value.query, MissTree{until, {}}, *tree));
-      out.tree = *std::move(tree);
-    }
+  Case& value = out.cases[0];
+  Truth& truth = value.truth;
+  if (item.kind == CaseKind::kNMN && !truth.clearance) {
+    truth.clearance = build_miss_tree(value.query, exact(value.query.t_max), kPaperTreeNodes);
+    if (truth.clearance) truth.proof = proof_word(*truth.clearance);
+    CCDFUZZ_VERIFY(!truth.clearance || check_absence(value));
   }
+  if (item.kind != CaseKind::kRP) return out;
+  options.kind = CaseKind::kRN;
+  out.cases.push_back(as_asked(value, options).value());
+  out.cases[1].origin.kind = name_of(options.kind);
   return out;
 }
 

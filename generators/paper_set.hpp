@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "generators/generate.hpp"
@@ -20,10 +19,9 @@ struct PaperItem {
 std::vector<PaperItem> paper_items(std::uint64_t one_in = 1);
 
 struct PaperCases {
-  std::vector<Case> cases;  ///< RP and RN, or the one
-  /// NMN: a miss tree for [0, t_max] that the checker has accepted. Empty if there is none of at
-  /// most kPaperTreeNodes nodes; then tdibm-rational's proof is all there is.
-  std::string tree;
+  /// RP and RN, or the one. NMN: with a miss tree for [0, t_max] that the checker has accepted,
+  /// unless there is none of at most kPaperTreeNodes nodes.
+  std::vector<Case> cases;
   DiscardCounts discards;
 };
 

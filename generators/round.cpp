@@ -140,32 +140,17 @@ Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
   for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
   const Whole at_second = frame(place + Whole{0, 0, gap});
   plane.offset = static_cast<long>(dot(normal, at_second)) * power_of_two(unit);
-  CCDFUZZ_VERIFY(check_clearance(out.query, plane, ""));
+  CCDFUZZ_VERIFY(check_clearance(out.query, plane));
   truth.clearance = plane;
   truth.clear_until = plane.until;
   CCDFUZZ_VERIFY(check_truth(out));
   return out;
 }
 
-namespace {
-
 /// As draw_round_case makes them, of the families round and apart.
 Attempted round_case(const GeneratorOptions& options, Draw& draw) {
   const bool apart = options.family == Family::kApart;
   return as_asked(draw_round_case(options.contact, apart, draw), options);
-}
-
-}  // namespace
-
-std::span<const FamilyRow> round_families() {
-  static constexpr std::array kOfARound = {ContactClass::kFF, ContactClass::kVF};
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kRound, "round", "exact spheres, cylinders, cones and tori; FF VF",
-       classes(kOfARound, kOfARound), round_case, own_shapes},
-      {Family::kApart, "apart", "the same with a separation; FF VF", classes(kOfARound, kOfARound),
-       round_case, own_shapes},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

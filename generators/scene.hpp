@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
-#include "case/certificate.hpp"
 #include "generators/quadratic.hpp"
 
 namespace ccdfuzz {
@@ -20,13 +18,6 @@ struct Scene {
   std::array<MovingPatch<Dyadic>, 2> patches;
   Vec3<Dyadic> normal;  ///< the contact plane's, from patch 2 to patch 1
   Dyadic t_max;         ///< end of the query that is to find the contact; t* ≤ t_max
-};
-
-/// Nothing touches before `until`, and how that is known: by a moving plane, or by a search in
-/// exact arithmetic, which holds at `until` too.
-struct Absence {
-  Dyadic until;
-  std::optional<MovingPlane> plane;
 };
 
 }  // namespace ccdfuzz

@@ -4,27 +4,18 @@
 
 #include "certify/oracle/rational_roots.hpp"
 #include "generators/elsewhere.hpp"
-#include "generators/exact_sum.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
+#include "generators/weighted.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
 bool move_apart(Query& query, const Vec3<Dyadic>& way) {
-  Rational squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::optional<double> by = way[k].to_double_exactly();
-    if (!by) return false;
-    squared += way[k].rational() * way[k].rational();
-    for (Vec3<double>& p : query.patches[0].positions) {
-      if (!add_exactly(p[k], *by)) return false;
-    }
-  }
-  query.separation = round_up(root_above(squared));
+  if (!add_exactly(query.patches[0].positions, way)) return false;
+  query.separation = round_up(root_above(dot(way, way).rational()));
   return true;
 }
-
-namespace {
 
 /// A regular or interior-time contact whose patch 1 is moved along the normal by the separation.
 /// The normal's length is a whole number, so that its plane proves all times before.
@@ -48,19 +39,10 @@ Attempted separated_case(const GeneratorOptions& options, Draw& draw) {
     longest = std::max(longest, std::abs(along->rational().get_d()));
   }
   exponent -= std::ilogb(longest);
-  for (int k = 0; k < 3; ++k) way[k] = way[k].scaled(exponent);
-  if (!move_apart(made->query, way)) return tl::unexpected(Discard::kRoundTrip);
+  if (!move_apart(made->query, way * Dyadic(1, exponent))) {
+    return tl::unexpected(Discard::kRoundTrip);
+  }
   return as_asked(*std::move(made), options);
-}
-
-}  // namespace
-
-std::span<const FamilyRow> separated_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kSeparated, "separated", "regular contacts at a separation",
-       classes(kAllClasses, kAllClasses), separated_case},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -38,18 +38,6 @@ void change_plane(MovingPlane& plane, const Similarity& change) {
   plane.until *= power_of_two(change.time);
 }
 
-/// S1 − S2 grows with space alone, as shift and drift cancel; its inverse Jacobian shrinks with it,
-/// and grows with the units of the unknowns. False if a number is rounded.
-bool change_box(ContactBox& box, const Similarity& change) {
-  bool exact = scale_exactly(box.centre[ContactBox::kTime], change.time);
-  for (size_t i = 0; i < 3; ++i) {
-    const int unit = box.varied[i] == ContactBox::kTime ? change.time : 0;
-    exact = exact && scale_exactly(box.radius[i], unit);
-    for (double& y : box.inverse[i]) exact = exact && scale_exactly(y, unit - change.space);
-  }
-  return exact;
-}
-
 }  // namespace
 
 std::optional<Query> similar(const Query& query, const Similarity& change) {
@@ -76,13 +64,12 @@ std::optional<Query> similar(const Query& query, const Similarity& change) {
 
 std::optional<Case> similar(const Case& value, const Similarity& change) {
   const std::optional<Query> query = similar(value.query, change);
-  if (!query) return std::nullopt;
+  if (!query || value.truth.contact_box) return std::nullopt;
   Case out = value;
   out.query = *query;
   const Rational unit = power_of_two(change.time);
   if (out.truth.witness) out.truth.witness->t *= unit;
   if (out.truth.clear_until) *out.truth.clear_until *= unit;
-  if (out.truth.contact_box && !change_box(*out.truth.contact_box, change)) return std::nullopt;
   if (auto& clearance = out.truth.clearance) {
     if (auto* plane = std::get_if<MovingPlane>(&*clearance)) {
       change_plane(*plane, change);

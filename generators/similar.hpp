@@ -21,7 +21,7 @@ std::optional<Query> similar(const Query& query, const Similarity& change);
 
 /// The case in other coordinates, with the same truth. A miss tree is dropped, so that only a new
 /// search proves absence of contact. Expectations are dropped: they were of another query. nullopt
-/// if any number of it is not a double then.
+/// if any number of it is not a double then, or a contact box proves its contact.
 std::optional<Case> similar(const Case& value, const Similarity& change);
 
 /// The query from where it is at t; t_max stays. nullopt where that rounds, or the query has ends

@@ -1,4 +1,4 @@
-#include "generators/static_check.hpp"
+#include "generators/paper.hpp"
 
 #include "generators/differential.hpp"
 #include "generators/shaped/features.hpp"

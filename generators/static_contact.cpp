@@ -1,4 +1,4 @@
-#include "generators/static_contact.hpp"
+#include "generators/paper.hpp"
 #include "generators/shaped/features.hpp"
 #include "numeric/products.hpp"
 

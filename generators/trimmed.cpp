@@ -3,10 +3,10 @@
 
 #include "bezier/trim.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/draw_trim.hpp"
 #include "generators/finalize.hpp"
-#include "generators/first_contact.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/weighted.hpp"
@@ -133,29 +133,23 @@ bool touch_later(Contact& q, Draw& draw) {
     const Uv<double>& vertex = patch.trim.back()[2];
     later.uv[s] = {Dyadic::exact(vertex[0]), Dyadic::exact(vertex[1])};
   }
-  Vec3<Dyadic> speed, start;
-  const Vec3<Dyadic> offset = later.offset();
-  for (int k = 0; k < 3; ++k) {
-    speed[k] = -offset[k].scaled(halvings);
-    start[k] = -(speed[k] * q.t);
-  }
+  const Vec3<Dyadic> speed = later.offset() * Dyadic(-1, halvings), start = speed * -q.t;
   MovingPatch<double>& patch = later.query.patches[0];
-  for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-    if (!add_exactly(patch.positions[i], start) || !add_exactly(patch.velocities[i], speed)) {
-      return false;
-    }
-  }
+  if (!add_exactly(patch.positions, start) || !add_exactly(patch.velocities, speed)) return false;
   later.query.t_max = *later.t.to_double_exactly();
   q = later;
   return is_valid(q.query);
 }
+
+}  // namespace
 
 /// A regular one-sided case with loops about the contact, of one surface or both. The contact of a
 /// positive is inside of a loop, on an edge, on a vertex or one float inside. Or it is in a sliver,
 /// where loops touch, or on an island in a hole. Else the whole patches touch one float outside or
 /// in a hole at t*. Those with loops touch at another place later, at t_max, which the witness
 /// says. A moving plane proves that nothing touches before t*. A negative ends at t*, when only the
-/// whole patches touch. A search in exact arithmetic proves it.
+/// whole patches touch. A small tree proves it, or a search in exact
+/// arithmetic.
 Attempted trimmed_case(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_TRY(const Case regular, plain_case(Family::kRegular, options, draw));
   Contact q = *contact_of(regular);
@@ -185,32 +179,19 @@ Attempted trimmed_case(const GeneratorOptions& options, Draw& draw) {
   Truth& truth = out.truth;
   if (!is_negative) {
     truth.witness = q.witness();
-    if (!check_clearance(out.query, *truth.clearance, "")) {
+    if (!check_clearance(out.query, *truth.clearance)) {
       return tl::unexpected(Discard::kFirstContact);
     }
     return out;
   }
-  if (!miss_is_proven(out.query, options.proof_pops)) return tl::unexpected(Discard::kFirstContact);
-  truth = {};
-  say_clear(out, out.query.t_max);
-  truth.clear_until = exact(out.query.t_max);
-  return out;
+  truth = absence_by_tree(out.query);
+  if (truth.collides == false) return out;
+  return proven_apart(std::move(out), options);
 }
 
 /// True iff a patch may be trimmed.
 bool have_a_surface(ContactClass, const ShapePair& shapes) {
   return shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> trimmed_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kTrimmed, "trimmed",
-       "with loops at the contact; RN: the whole patches alone touch, in a hole",
-       classes(kAllClasses, kAllClasses), trimmed_case, have_a_surface},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

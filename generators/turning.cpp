@@ -122,8 +122,6 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, bool is_small
   }
 }
 
-namespace {
-
 /// Two bodies of which one turns, or both. They touch as those of framed_bodies do. At t* < 1 a
 /// turn is the identity, so that the contact is planted there whatever turns. `from` is −t*·d
 /// beside a number that makes its length about 1, and `to` is (1 − t*)·d so. All numbers are
@@ -188,25 +186,6 @@ Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
   say_clear(*made, round_down(rounded_down(*truth.clear_until, step) - step));
   CCDFUZZ_VERIFY(covers(*truth.clearance, exact(made->query.t_max)));
   return made;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> turning_families() {
-  static constexpr std::array kOfACorner = {ContactClass::kVE, ContactClass::kVV};
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kTurning, "turning", "convex bodies of which one turns, or both",
-       classes(kAllClasses, kAllClasses), turning_case, own_shapes},
-      {Family::kSpinning, "spinning", "the same by an angular velocity",
-       classes(kAllClasses, kAllClasses), spinning_case, own_shapes},
-      // A contact of others begins at no rational time.
-      {Family::kTurningGrazing, "turning-grazing",
-       "bodies-grazing that turn about the plane's normal; VE VV",
-       classes(kOfACorner, {}, {}, kOfACorner), turning_case, own_shapes},
-      {Family::kSpinningGrazing, "spinning-grazing", "the same by an angular velocity; VE VV",
-       classes(kOfACorner, {}, {}, kOfACorner), turning_case, own_shapes},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

@@ -1,5 +1,6 @@
 #include "generators/weighted.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bezier/exact_patch.hpp"
@@ -25,10 +26,8 @@ Points<Dyadic> draw_balanced(Draw& draw, const std::vector<Dyadic>& weights) {
     if (i == j || weights[i].sign() == 0 || weights[j].sign() == 0) continue;
     const long unit = std::max(top_of(weights[i]), top_of(weights[j]));
     const Vec3<Dyadic> way = draw.vector(3, -1);
-    for (int k = 0; k < 3; ++k) {
-      places[i][k] += way[k] * weights[j].scaled(-unit);
-      places[j][k] -= way[k] * weights[i].scaled(-unit);
-    }
+    places[i] += way * weights[j].scaled(-unit);
+    places[j] -= way * weights[i].scaled(-unit);
   }
   return places;
 }
@@ -56,6 +55,10 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
   return true;
 }
 
+bool add_exactly(Points<double>& points, const Vec3<Dyadic>& by) {
+  return std::ranges::all_of(points, [&](Vec3<double>& p) { return add_exactly(p, by); });
+}
+
 std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
   if (by == Dyadic(1)) return v;
   Vec3<Dyadic> out;
@@ -76,14 +79,11 @@ bool pull_by_weights(Draw& draw, Contact& q, size_t side, int most) {
   if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
   for (size_t i = 0; i < patch.weights.size(); ++i) {
     patch.weights[i] = std::ldexp(patch.weights[i], exponents[i]);
-    Vec3<Dyadic> by;
-    for (int k = 0; k < 3; ++k) {
-      const Dyadic start = Dyadic::exact(patch.positions[i][k]);
-      const Dyadic move = Dyadic::exact(patch.moves()[i][k]);
-      const Dyadic place = start + q.t * (patch.has_ends() ? move - start : move);
-      const Dyadic way = place - (*contact)[k];
-      by[k] = way.scaled(-exponents[i]) - way;
-    }
+    const Vec3<Dyadic> start = exact_dyadic(patch.positions[i]);
+    Vec3<Dyadic> move = exact_dyadic(patch.moves()[i]);
+    if (patch.has_ends()) move -= start;
+    const Vec3<Dyadic> way = start + move * q.t - *contact;
+    const Vec3<Dyadic> by = way * Dyadic(1, -exponents[i]) - way;
     if (!add_exactly(patch.positions[i], by)) return false;
     if (patch.has_ends() && !add_exactly(patch.ends[i], by)) return false;
   }
@@ -122,8 +122,6 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
   return q;
 }
 
-namespace {
-
 /// Half of the positives and all negatives are regular one-sided cases whose control points are
 /// pulled by powers of two. The plane that separates them before t* stays. Control points that have
 /// no share in the contact then get a weight of any kind. The other positives are as
@@ -160,17 +158,6 @@ Attempted weighted_case(const GeneratorOptions& options, Draw& draw) {
 /// True iff a patch has more than one control point.
 bool have_weights(ContactClass, const ShapePair& shapes) {
   return shapes[0].kind != ShapeKind::kPoint || shapes[1].kind != ShapeKind::kPoint;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> weighted_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kWeighted, "weighted",
-       "rational patches, with weights of any kind; half witness only",
-       classes(kAllClasses, kAllClasses), weighted_case, have_weights},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

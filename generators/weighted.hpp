@@ -2,13 +2,14 @@
 
 #include "generators/contact.hpp"
 #include "generators/draw/draw.hpp"
-#include "generators/generate.hpp"
 
 namespace ccdfuzz {
 
 /// x += by. Returns false, and leaves x, if the sum is not a double.
 bool add_exactly(double& x, const Dyadic& by);
 bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
+/// The same of each point; false if the sum of one is not.
+bool add_exactly(Points<double>& points, const Vec3<Dyadic>& by);
 
 /// v / by, if that is dyadic.
 std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);

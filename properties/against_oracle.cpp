@@ -4,6 +4,7 @@
 
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
 
 namespace ccdfuzz {
@@ -23,7 +24,7 @@ Case decide_briefly(const Query& query, std::uint64_t max_pops) {
   };
   claim_accepted(check_truth(known));
   if (known.truth.clearance) {
-    claim_accepted(check_clearance(query, *known.truth.clearance, decision.tree));
+    claim_accepted(check_clearance(query, *known.truth.clearance));
   }
   return known;
 }

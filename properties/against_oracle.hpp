@@ -3,9 +3,6 @@
 #include <array>
 
 #include "case/case.hpp"
-#include "case/judge.hpp"
-#include "ccd/search.hpp"
-#include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
 

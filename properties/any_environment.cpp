@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cfenv>
 #include <limits>
 
 #include "base/double_parts.hpp"
@@ -11,7 +12,6 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/build_tree.hpp"
@@ -25,7 +25,6 @@
 #include "numeric/next_double.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
-#include "properties/fp_environment.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 
@@ -34,6 +33,59 @@ namespace ccdfuzz {
 namespace {
 
 constexpr double kLeastDouble = std::numeric_limits<double>::denorm_min();
+
+/// A floating-point environment that a host program may leave to our thread.
+struct FpEnvironment {
+  const char* name;
+  FpGuard::Word control;
+  int rounding;  ///< as in <cfenv>, for what else there is (x87, which glibc's strtod obeys)
+};
+
+#if defined(__SSE2_MATH__)
+// MXCSR. Bits 7 to 12 mask exceptions: invalid (7), division by zero (9), overflow (10).
+constexpr FpGuard::Word kDefault = 0x1f80, kFlushResults = 0x8000, kFlushOperands = 0x40,
+                        kDown = 0x2000, kUp = 0x4000, kTowardZero = 0x6000, kNoTraps = 0x680,
+                        kTrapping = kDefault & ~kNoTraps;
+#elif defined(__aarch64__)
+// FPCR. FZ (24) flushes both; most machines cannot trap.
+constexpr FpGuard::Word kDefault = 0, kFlushResults = 1U << 24, kFlushOperands = 1U << 24,
+                        kUp = 1U << 22, kDown = 2U << 22, kTowardZero = 3U << 22, kTrapping = 0;
+#endif
+
+/// Flushing of results, of operands and of both, each rounding mode, traps of invalid operations,
+/// divisions by zero and overflows, and all that at once.
+constexpr std::array<FpEnvironment, 9> kEnvironments = {{
+    {"to nearest", kDefault, FE_TONEAREST},
+    {"results flushed", kDefault | kFlushResults, FE_TONEAREST},
+    {"operands flushed", kDefault | kFlushOperands, FE_TONEAREST},
+    {"both flushed", kDefault | kFlushResults | kFlushOperands, FE_TONEAREST},
+    {"upward", kDefault | kUp, FE_UPWARD},
+    {"downward", kDefault | kDown, FE_DOWNWARD},
+    {"toward zero", kDefault | kTowardZero, FE_TOWARDZERO},
+    {"trapping", kTrapping, FE_TONEAREST},
+    {"trapping, both flushed, upward", kTrapping | kFlushResults | kFlushOperands | kUp, FE_UPWARD},
+}};
+
+/// Puts the calling thread into an environment for as long as it lives.
+class InFpEnvironment {
+ public:
+  explicit InFpEnvironment(const FpEnvironment& environment) {
+    std::fegetenv(&callers_);
+    std::fesetround(environment.rounding);
+    FpGuard::write(environment.control);
+  }
+  ~InFpEnvironment() { std::fesetenv(&callers_); }
+  InFpEnvironment(const InFpEnvironment&) = delete;
+  InFpEnvironment& operator=(const InFpEnvironment&) = delete;
+
+ private:
+  std::fenv_t callers_;
+};
+
+/// The control word of the calling thread, without the flags of exceptions past.
+FpGuard::Word fp_control() {
+  return FpGuard::read() & FpGuard::kControl;
+}
 
 std::string bits(double x) {
   return fmt::format("{:x} ", std::bit_cast<std::uint64_t>(x));
@@ -48,7 +100,7 @@ std::string bits(const Drawn& x) {
 }
 
 void check_guard(Draw& d) {
-  for (const FpEnvironment& environment : fp_environments()) {
+  for (const FpEnvironment& environment : kEnvironments) {
     show(d, "environment", environment.name);
     const InFpEnvironment in(environment);
     {
@@ -69,10 +121,10 @@ void check_guard(Draw& d) {
 template <class Text>
 void claim_same_in_environments(Draw& d, const Text& text) {
   const std::string expected = show(d, "expected", text());
-  for (const FpEnvironment& environment : fp_environments()) {
+  for (const FpEnvironment& environment : kEnvironments) {
     show(d, "environment", environment.name);
     std::string got;
-    std::uint32_t left = 0;
+    FpGuard::Word left = 0;
     {
       const InFpEnvironment in(environment);
       got = text();
@@ -145,7 +197,7 @@ struct WildClaims {
   ContactBox box;
   ContactRoot root;
   LinearClearance linear;
-  std::string tree;
+  MissTree tree;
 };
 
 WildClaims draw_wild_claims(Draw& choices, const Case& about) {
@@ -161,7 +213,7 @@ WildClaims draw_wild_claims(Draw& choices, const Case& about) {
   for (std::size_t i = 0; i < 3; ++i) out.box.inverse[i][i] = draw_tiny_or_any(choices);
   out.root = {{Integer(-t.get_num()), t.get_den()}, t / 2, Rational(t + power_of_two(-4))};
   out.linear = {choices.choose(15) == 15 ? t : Rational(t / 2), choices.coin()};
-  out.tree = build_miss_tree(about.query, t / 2, 40).value_or("");
+  out.tree = build_miss_tree(about.query, t / 2, 40).value_or(MissTree{});
   return out;
 }
 
@@ -172,7 +224,6 @@ constexpr std::uint64_t kLittleWork = kMostWork / 64;
 /// All that the checker and the judge say.
 std::string judgement(const Case& value, const WildClaims& claims) {
   const Query& query = value.query;
-  const Rational& t = value.truth.witness->t;
   std::string out;
   const auto add = [&out](const char* what, bool holds) {
     out += fmt::format("{}{} ", holds ? "" : "no ", what);
@@ -184,7 +235,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   add("box", check_box(query, claims.box).has_value());
   add("root", check_contact_root(query, claims.root).has_value());
   add("linear", check_linear_clearance(query, claims.linear, kLittleWork).has_value());
-  add("tree", check_tree(query, t / 2, claims.tree).has_value());
+  add("tree", check_clearance(query, claims.tree).has_value());
   const CheckedCase known = checked_contact(value);
   for (const double toi : {0.0, -kLeastDouble, kLeastDouble, query.t_max, next_up(query.t_max)}) {
     Answer hit = Answer::hit(toi);
@@ -233,7 +284,7 @@ std::string said_by(const std::string& spec, const Case& value) {
     const Decision decision = decide(value.query, {.max_pops = 24, .max_tree_nodes = 200});
     Case decided = value;
     decided.truth = decision.truth;
-    return to_json(decided) + fmt::format(" {:x}", std::hash<std::string>()(decision.tree));
+    return to_json(decided);
   }
   out = bits(answer_of(spec, value.query, options));
   if (check_witness(value.query, witness)) {
@@ -254,7 +305,7 @@ void check_methods(Draw& d) {
 
 void check_contact_stays(Draw& d) {
   const char* const spec = d.coin() ? "tdibm-c" : "tdibm-rational";
-  const FpEnvironment& environment = fp_environments()[d.choose(fp_environments().size() - 1)];
+  const FpEnvironment& environment = kEnvironments[d.choose(kEnvironments.size() - 1)];
   constexpr ContactRange kSubnormal{-1066, -1010, 2}, kAnywhere{-1000, 900, 3};
   const Case drawn = supposed(draw_contact(d, d.coin() ? kAnywhere : kSubnormal));
   show(d, "environment", environment.name);

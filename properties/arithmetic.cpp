@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "base/double_parts.hpp"
 #include "generators/exact_sum.hpp"
@@ -11,7 +9,6 @@
 #include "io/json_write.hpp"
 #include "numeric/bounded_int.hpp"
 #include "numeric/next_double.hpp"
-#include "numeric/wide_int.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -37,100 +34,14 @@ void check_rational_rounding(Draw& d) {
   CLAIM(to_double_exactly(q).has_value() == (down == up));
 }
 
-/// The limbs of an integer as one that has no sign.
-Integer from_limbs(const auto& x, int limbs) {
+template <int Bits>
+Integer to_integer(const BoundedInt<Bits>& x) {
   Integer sum = 0;
-  for (int i = limbs; i-- > 0;) {
+  for (int i = x.limbs(); i-- > 0;) {
     sum <<= 64;
     sum += Integer(fmt::format("{}", x.limb(i)));
   }
-  return sum;
-}
-
-template <int Bits>
-Integer to_integer(const WideInt<Bits>& x) {
-  const Integer sum = from_limbs(x, Bits / 64);
-  Integer half = 1;
-  half <<= Bits - 1;
-  return sum >= half ? Integer(sum - 2 * half) : sum;
-}
-
-template <int Bits>
-Integer to_integer(const BoundedInt<Bits>& x) {
-  const Integer sum = from_limbs(x, x.limbs());
   return x.sign() < 0 ? Integer(-sum) : sum;
-}
-
-/// Mostly limbs at which carries and borrows happen.
-std::int64_t draw_word(Draw& d) {
-  constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
-  constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
-  if (d.coin())
-    return d.pick(std::array<std::int64_t, 8>{0, 1, -1, 2, kMin, kMin + 1, kMax, kMax - 1});
-  return static_cast<std::int64_t>(d.choose(~std::uint64_t{0}));
-}
-
-/// Any bit pattern.
-template <int Bits>
-WideInt<Bits> draw_wide(Draw& d, const char* name) {
-  WideInt<Bits> x(draw_word(d));
-  const int words = d.coin() ? Bits / 64 : 1;
-  if (words == 1 && d.coin()) x = x << static_cast<int>(d.choose(Bits - 1));
-  for (int i = 1; i < words; ++i) x = (x << 64) + WideInt<Bits>(draw_word(d));
-  show(d, name, Rational(to_integer(x)));
-  return x;
-}
-
-/// x modulo 2^Bits, in two's complement.
-template <int Bits>
-Integer wrapped(const Integer& x) {
-  Integer r;
-  mpz_fdiv_r_2exp(r.get_mpz_t(), x.get_mpz_t(), Bits);
-  if (mpz_tstbit(r.get_mpz_t(), Bits - 1) != 0) r -= Integer(1) << Bits;
-  return r;
-}
-
-template <int Bits>
-bool is_approximate(const WideInt<Bits>& x, const Integer& value) {
-  const Rational off = abs(exact(x.approximate()) - Rational(value));
-  return off * power_of_two(52) <= Rational(abs(value));
-}
-
-template <int Bits>
-void claim_wide_is_gmp(Draw& d) {
-  const auto a = draw_wide<Bits>(d, "a"), b = draw_wide<Bits>(d, "b");
-  const std::int64_t m = show(d, "m", draw_word(d));
-  const auto s = show(d, "s", static_cast<int>(d.choose(Bits - 1)));
-  const Integer x = to_integer(a), y = to_integer(b), z(static_cast<long>(m));
-  CLAIM(to_integer(a + b) == wrapped<Bits>(x + y));
-  CLAIM(to_integer(a - b) == wrapped<Bits>(x - y));
-  CLAIM(to_integer(-a) == wrapped<Bits>(-x));
-  CLAIM(to_integer(a * m) == wrapped<Bits>(x * z));
-  CLAIM(to_integer(a << s) == wrapped<Bits>(Integer(x << static_cast<mp_bitcnt_t>(s))));
-  CLAIM(to_integer(WideInt<Bits>(m)) == z);
-  CLAIM((a <=> b) == (x < y   ? std::strong_ordering::less
-                      : x > y ? std::strong_ordering::greater
-                              : std::strong_ordering::equal));
-  CLAIM((a == b) == (x == y));
-  CLAIM(a.sign() == sgn(x));
-  CLAIM(is_approximate(a, x));
-}
-
-template <int Bits, int Others>
-void claim_wide_product(Draw& d) {
-  const auto a = draw_wide<Bits>(d, "a");
-  const auto b = draw_wide<Others>(d, "b");
-  const Integer x = to_integer(a), product = to_integer(a * b);
-  CLAIM(product == x * to_integer(b));
-  CLAIM(to_integer(WideInt<Bits + Others>(a)) == x);
-  CLAIM(is_approximate(a * b, product));
-}
-
-void check_wide_int(Draw& d) {
-  constexpr std::array kClaims = {claim_wide_is_gmp<128>,       claim_wide_is_gmp<256>,
-                                  claim_wide_is_gmp<512>,       claim_wide_product<128, 128>,
-                                  claim_wide_product<128, 256>, claim_wide_product<256, 128>};
-  d.pick(kClaims)(d);
 }
 
 /// Also where they grow and shrink by many limbs.
@@ -222,9 +133,6 @@ std::vector<Property> arithmetic_claims() {
   return {
       {"rational.rounding", "round_down and round_up are the doubles next to a rational",
        "src/numeric/rational.hpp", check_rational_rounding},
-      {"wide_int.is_gmp",
-       "Fixed-width integers agree with GMP modulo their range, and products are exact",
-       "src/numeric/wide_int.hpp", check_wide_int},
       {"bounded_int.is_gmp", "Integers of bounded length agree with GMP",
        "src/numeric/bounded_int.hpp", check_bounded_int},
       {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",

@@ -6,7 +6,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "generators/draw_patch.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"
 
@@ -115,7 +114,7 @@ void check_late_directions(Draw& d) {
   }
   const Rational length = draw_fraction_of(d, 8);
   for (Rational& x : clear.normal) x *= length;
-  CLAIM(!check_clearance(known.query, clear, ""));
+  CLAIM(!check_clearance(known.query, clear));
 }
 
 /// No weights that miss 1, are negative or too many make a witness, however near the points are.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 #include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
@@ -40,7 +39,6 @@ Query draw_any_bodies(Draw& d) {
 }
 
 Clearance draw_any_clearance(Draw& d, DrawRational* draw_number) {
-  constexpr std::uint64_t kMost = 1 << 30;
   const Rational until = draw_number(d);
   const bool closed = d.coin();
   switch (d.choose(3)) {
@@ -51,8 +49,7 @@ Clearance draw_any_clearance(Draw& d, DrawRational* draw_number) {
     case 2:
       return MovingPlane{until, three_of(draw_number, d), draw_number(d)};
     default:
-      return MissTree{until,
-                      {d.choose(kMost), 1 + d.choose(kMost), "00112233445566778899aabbccddeeff"}};
+      return MissTree{until, {d.text(20)}};
   }
 }
 

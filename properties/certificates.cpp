@@ -4,7 +4,6 @@
 #include "bezier/exact_patch.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_truth.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/round.hpp"

@@ -8,6 +8,7 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "numeric/products.hpp"
 #include "properties/rising_triangle.hpp"
 #include "properties/show.hpp"
 
@@ -99,12 +100,10 @@ ContactRoot draw_root(Draw& d, const Rational& t) {
 MovingPlane draw_plane(Draw& d, const Query& query, const Rational& until) {
   MovingPlane plane{until, {}, 0};
   const MovingPatch<double>& one = query.patches[0];
-  const Vec3<double> normal = draw_halves(d);
-  for (int k = 0; k < 3; ++k) {
-    plane.normal[static_cast<std::size_t>(k)] = exact(normal[k]);
-    plane.offset +=
-        exact(normal[k]) * (exact(one.positions[0][k]) + until * exact(one.velocities[0][k]));
-  }
+  const Vec3<Rational> normal = exact(draw_halves(d));
+  plane.normal = {normal[0], normal[1], normal[2]};
+  const Vec3<Rational> at = exact(one.positions[0]) + exact(one.velocities[0]) * until;
+  plane.offset = dot(normal, at);
   return plane;
 }
 

@@ -82,6 +82,29 @@ void check_depth_of_boxes(Draw& d) {
   CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
 }
 
+/// The axis of an arm that turns about its end comes through the centre of a ball. They overlap by
+/// both radii then, however short that is, and never by more.
+void check_depth_of_arms(Draw& d) {
+  const int length = d.integer(1, 8), way = d.integer(1, length), speed = d.integer(1, 8);
+  const double arm = d.integer(0, 4) / 16.0, ball = d.integer(1, 8) / 16.0;
+  const double angle = speed * d.integer(1, 63) / 64.0;
+  MovingPatch<double> turning{Shape::hull(2), {{0, 0, 0}, {1.0 * length, 0, 0}}, {{0, 0, 0}}};
+  MovingPatch<double> resting{
+      Shape::hull(1), {{way * std::cos(angle), way * std::sin(angle), 0}}, {{0, 0, 0}}};
+  turning.radius = arm;
+  turning.turn.emplace().spin = {0, 0, 1.0 * speed};
+  resting.radius = ball;
+  const Query query{{turning, resting}, 1};
+  show(d, "query", query);
+  const double depth = show(d, "depth", arm + ball);
+  const std::optional<double> got = depth_until(query, query.t_max);
+  // The centre is off by a few roundings of numbers of at most 8.
+  constexpr double kRounding = 0x1p-44;
+  CLAIM(got && *got <= depth + kRounding && *got >= depth / 2);
+  CLAIM(is_deeper_until(query, query.t_max, exact(depth) * 7 / 8, false) == true);
+  CLAIM(!is_deeper_until(query, query.t_max, exact(depth) * 9 / 8, false));
+}
+
 double depth_of_feature(const Query& query) {
   return feature_depth({query, decide(query).truth, {}, {}}, query.t_max);
 }
@@ -113,6 +136,9 @@ std::vector<Property> depths_claims() {
       {"bodies.depth_of_boxes",
        "Two boxes, one of which moves along an axis, are as deep as their corners say",
        "src/certify/oracle/body_depth.hpp", check_depth_of_boxes},
+      {"bodies.depth_of_arms",
+       "However shortly an arm passes through a ball, it is found to be as deep as both radii",
+       "src/certify/oracle/body_depth.hpp", check_depth_of_arms},
       {"features.depth",
        "A vertex or an edge that is moved by less than its depth still touches; depths scale",
        "src/certify/oracle/feature_depth.hpp", check_depth_of_features},

@@ -4,9 +4,8 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
-#include "certify/oracle/find_plane.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/round.hpp"
@@ -23,7 +22,7 @@ namespace ccdfuzz {
 namespace {
 
 Case draw_case_apart(Draw& d) {
-  return case_of(draw_first_contact(d, true));
+  return draw_first_contact(d, true);
 }
 
 void check_not_early_apart(Draw& d) {
@@ -45,8 +44,8 @@ void check_trees(Draw& d) {
   show(d, "query", drawn.query);
   show(d, "separation", nearer.separation);
   const auto tree = supposed(build_miss_tree(nearer, t, is_round ? 3000 : 1000));
-  CLAIM(check_tree(nearer, t, tree).has_value());
-  CLAIM(!check_tree(drawn.query, t, tree));
+  CLAIM(check_clearance(nearer, tree).has_value());
+  CLAIM(!check_clearance(drawn.query, tree));
 }
 
 /// A plane at right angles to the way between two points, which come towards each other, is refused
@@ -69,15 +68,6 @@ void check_planes_of_points(Draw& d) {
   const bool is_accepted = check_plane(query, plane).has_value();
   CLAIM(!is_accepted || least <= squared);
   CLAIM(is_accepted || least * (1 + power_of_two(-60)) > squared);
-}
-
-/// A plane through a contact, of what touches, proves no distance.
-void check_planes_of_touching(Draw& d) {
-  FirstContact drawn = draw_first_contact(d);
-  show(d, "query", drawn.query);
-  const MovingPlane plane = supposed(find_plane(drawn.query, drawn.witness));
-  drawn.query.separation = 0x1p-30;
-  CLAIM(!check_plane(drawn.query, plane));
 }
 
 /// Linear patches that are planted to come as near as the separation at t*, and farther apart
@@ -184,9 +174,6 @@ std::vector<Property> distances_claims() {
       {"separation.planes_of_points",
        "A plane of two points is accepted iff they are no nearer than the separation, to 61 bits",
        "src/certify/checker/check_plane.hpp", check_planes_of_points},
-      {"separation.refuses_proofs_of_touching",
-       "A plane that proves that nothing touches before a contact proves no distance",
-       "src/certify/checker/check_plane.hpp", check_planes_of_touching},
       {"separation.linear_clearance",
        "Linear patches are decided to be clear up to the time at which they are planted to come as "
        "near as the separation, and no longer, to the last float of it",

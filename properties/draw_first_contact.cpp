@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "generators/draw_contact.hpp"
 #include "generators/quadratic.hpp"
 #include "generators/separated.hpp"
 #include "generators/shaped/families.hpp"
@@ -26,14 +25,6 @@ Vec3<double> extents(const MovingPatch<double>& patch, double t) {
 
 }  // namespace
 
-Case case_of(const FirstContact& drawn) {
-  Case out;
-  out.query = drawn.query;
-  out.truth.collides = true;
-  out.truth.witness = drawn.witness;
-  return out;
-}
-
 FirstContact draw_first_contact(Draw& choices, bool apart) {
   const ContactClass contact = choices.pick(kContactClasses);
   // Coarse boxes are no good for flat patches.
@@ -52,16 +43,15 @@ FirstContact draw_first_contact(Draw& choices, bool apart) {
   Placement placement = random_placement(choices);
   placement.shift = choices.vector(20, -16);
   const Case made = supposed(to_case(scene, placement, choices));
+  const double t = *scene.t.to_double_exactly();
   FirstContact out;
   out.query = made.query;
-  out.witness = *made.truth.witness;
-  out.t = *scene.t.to_double_exactly();
+  out.truth.collides = true;
+  out.truth.witness = made.truth.witness;
   const Vec3<Dyadic>& towards = placement.frame.normal;
   if (apart) {
     const int exponent = choices.integer(-12, 3);
-    const Vec3<Dyadic> way(towards[0].scaled(exponent), towards[1].scaled(exponent),
-                           towards[2].scaled(exponent));
-    suppose(move_apart(out.query, way));
+    suppose(move_apart(out.query, towards * Dyadic(1, exponent)));
   }
   double reach = 0;
   std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
@@ -69,7 +59,7 @@ FirstContact draw_first_contact(Draw& choices, bool apart) {
   for (int k = 0; k < 3; ++k) normal[k] = towards[k].rational().get_d();
   for (std::size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = made.query.patches[s];
-    const Vec3<double> width = kQuadratic.n * kFinePrecision * extents(patch, out.t);
+    const Vec3<double> width = kQuadratic.n * kFinePrecision * extents(patch, t);
     // At a distance the nearest points of two boxes may lie in any direction.
     reach += apart ? normal.norm() * width.norm() : normal.cwiseAbs().dot(width);
     for (const Vec3<double>& v : patch.velocities) {
@@ -85,10 +75,10 @@ void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,
                      const SearchOptions& search) {
   const Answer answer = asked(draw, method, drawn.query, search);
   suppose(answer.verdict != Verdict::kUndecided);
-  show(draw, "contact at", drawn.t);
+  const double t = show(draw, "contact at", drawn.truth.witness->t.get_d());
   show(draw, "explained", drawn.early);
   CLAIM(answer.verdict == Verdict::kHit);
-  CLAIM(drawn.t - *answer.toi <= drawn.early);
+  CLAIM(t - *answer.toi <= drawn.early);
 }
 
 }  // namespace ccdfuzz

@@ -9,18 +9,13 @@ namespace ccdfuzz {
 inline constexpr double kFinePrecision = 0x1p-10;
 inline constexpr SearchOptions kFineSearch = {kFinePrecision, 2000, SearchOptions().max_bytes};
 
-/// A one-sided scene, whose first contact is proven. Control points of a cell of width h are within
-/// n·h times the patch's extent of each other, n the degree. So boxes that a method cannot separate
-/// are that near. The gap along the plane's normal closes at a known speed.
-struct FirstContact {
-  Query query;
-  Witness witness;   ///< the first contact's
-  double t = 0;      ///< when it is
+/// A one-sided scene with the witness of its first contact, which is proven. Control points of a
+/// cell of width h are within n·h times the patch's extent of each other, n the degree. So boxes
+/// that a method cannot separate are that near. The gap along the plane's normal closes at a known
+/// speed.
+struct FirstContact : Case {
   double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
 };
-
-/// The query with its first contact.
-Case case_of(const FirstContact& drawn);
 
 /// apart: patch 1 is moved away along the normal, so that the patches come no nearer than a
 /// distance, which is the query's separation, rounded up. Discarded: a number is not a double.

@@ -1,7 +1,5 @@
 #include "properties/draw_weighted.hpp"
 
-#include <cmath>
-
 #include "bezier/exact_patch.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "generators/draw_patch.hpp"
@@ -47,7 +45,7 @@ Contact draw_weighted_contact(Draw& choices) {
 FirstContact draw_weighted_first_contact(Draw& choices, Query* plain) {
   FirstContact drawn = draw_first_contact(choices);
   if (plain != nullptr) *plain = drawn.query;
-  Contact q = supposed(contact_of(case_of(drawn)));
+  Contact q = supposed(contact_of(drawn));
   for (std::size_t s = 0; s < 2; ++s) {
     suppose(pull_by_weights(choices, q, s, 1));
     const auto [least, most] =

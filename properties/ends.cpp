@@ -35,9 +35,7 @@ void claim_same_way(const Query& of_ends, const Query& of_velocities) {
   for (std::size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>&a = of_ends.patches[s], &b = of_velocities.patches[s];
     for (std::size_t i = 0; a.has_ends() && i < a.positions.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        CLAIM(exact(a.ends[i][k]) - exact(a.positions[i][k]) == exact(b.velocities[i][k]));
-      }
+      CLAIM(exact(a.ends[i]) - exact(a.positions[i]) == exact(b.velocities[i]));
     }
   }
 }

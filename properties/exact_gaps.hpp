@@ -74,7 +74,7 @@ struct GapSetting {
     gap.begin(query);
     for (int side = 0; side < 2; ++side) gap.prepare(side, parts[static_cast<std::size_t>(side)]);
     gap.select(chosen[0], chosen[1]);
-    gap.project(axis, kMostAxisBits);
+    gap.project(axis);
   }
 };
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"

@@ -4,15 +4,11 @@
 #include "generators/differential.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/extract.hpp"
 #include "generators/generate.hpp"
-#include "generators/grazing.hpp"
-#include "generators/motion.hpp"
 #include "generators/paper.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/features.hpp"
-#include "generators/static_contact.hpp"
 #include "numeric/products.hpp"
 #include "properties/show.hpp"
 
@@ -133,7 +129,7 @@ void check_generated(Draw& d) {
   const bool positive = options.kind == CaseKind::kRP || options.kind == CaseKind::kNHP;
   CLAIM(made.truth.collides == positive);
   const auto& clearance = made.truth.clearance;
-  CLAIM(!clearance || check_clearance(made.query, *clearance, "").has_value());
+  CLAIM(!clearance || check_clearance(made.query, *clearance).has_value());
   if (!is_plain || !positive || !made.truth.witness) return;
   const auto features = features_of(options.contact);
   for (std::size_t s = 0; s < 2; ++s) {

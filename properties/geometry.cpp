@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "bezier/bernstein.hpp"
 #include "bezier/elevate.hpp"

@@ -120,14 +120,17 @@ void check_terms_of_time(Draw& d) {
   const double off = std::abs(toi - contact);
   if (d.coin()) terms.time_tolerance = std::max(0.0, d.nudged(off, 1));
   if (d.coin()) terms.early_tolerance = std::max(0.0, d.nudged(off, 1));
+  // Nobody may know that a contact comes after t_max.
+  const bool is_told = contact <= t_max || d.coin();
+  if (!is_told) asked.truth.witness.reset();
   const double before = hit ? toi : t_max;
   const double nearest = 5 * size * (contact - std::min(before, contact));
   if (d.coin()) terms.kept_separation = std::max(0.0, d.nudged(nearest, 1));
 
   // What is too near at t = 0 may be left out where a contact may be.
   const bool at_zero = 5 * size * contact < terms.kept_separation;
-  const bool too_near =
-      before > 0 && nearest < terms.kept_separation && (terms.contact_at_zero || !at_zero);
+  const bool too_near = is_told && before > 0 && nearest < terms.kept_separation &&
+                        (terms.contact_at_zero || !at_zero);
   const bool left_out = !hit && !terms.closed_t_max && contact == t_max;
   const bool counts = contact <= t_max && !left_out && (terms.contact_at_zero || contact > 0);
   const bool late = hit && toi > contact && toi - contact > terms.time_tolerance;
@@ -137,7 +140,9 @@ void check_terms_of_time(Draw& d) {
     expected = !hit ? Outcome::kMissed : too_near || late ? Outcome::kLate : Outcome::kCorrect;
   } else if (contact > t_max || left_out) {
     const bool to_come = terms.early_tolerance > 0 && !early;
-    expected = hit && !to_come ? Outcome::kFalsePositive : Outcome::kCorrect;
+    expected = hit && !to_come   ? Outcome::kFalsePositive
+               : !hit || is_told ? Outcome::kCorrect
+                                 : Outcome::kUnknown;
   }
   show(d, "closed_t_max", terms.closed_t_max);
   show(d, "contact_at_zero", terms.contact_at_zero);

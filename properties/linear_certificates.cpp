@@ -181,12 +181,10 @@ void check_decision_is_read(Draw& d) {
   const Decision decision = decide(made.query, {.max_pops = 300, .max_tree_nodes = 500});
   show(d, "note", decision.note);
   made.truth = decision.truth;
-  if (!decision.tree.empty())
-    std::get<MissTree>(*made.truth.clearance).tree = {0, 1, std::string(32, '0')};
   const Result<Case> read = show(d, "read", parse_case(to_json(made), "file"));
   CLAIM(read.has_value());
   CLAIM(*read == made);
-  CLAIM(check_case(*read, decision.tree).has_value());
+  CLAIM(check_case(*read).has_value());
 }
 
 /// A clock that has gone on by one second each time that it is read.

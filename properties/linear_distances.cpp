@@ -12,7 +12,6 @@
 #include "properties/draw_linear.hpp"
 #include "properties/query_kind.hpp"
 #include "properties/show.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 

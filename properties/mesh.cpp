@@ -111,7 +111,7 @@ void check_forged_faces(Draw& d) {
   const Case known = draw_mesh(d, CaseKind::kRP);
   const auto& clear = std::get<MeshClearance>(*known.truth.clearance);
   const auto is_refused = [&](const MeshClearance& forged) {
-    return !check_clearance(known.query, forged, "");
+    return !check_clearance(known.query, forged);
   };
   CLAIM(!is_refused(clear));
   const size_t n = d.below(clear.normals.size());

@@ -108,42 +108,6 @@ void check_tree_form(Draw& d) {
   CLAIM(check_tree(query, Rational(1), bytes).has_value() == (change == Change::kNone));
 }
 
-void check_tree_bits(Draw& d) {
-  TreeBits bits;
-  std::vector<TreeNode> nodes;
-  for (std::int64_t n = d.integer(1, 12); n > 0; --n) {
-    TreeNode node;
-    node.kind = static_cast<TreeNodeKind>(d.choose(3));
-    switch (node.kind) {
-      case TreeNodeKind::kLeaf: {
-        constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
-        for (std::int64_t& x : node.axis) x = d.integer(-kMost, kMost);
-        bits.leaf(node.axis);
-        show(d, "leaf", node.axis);
-        break;
-      }
-      case TreeNodeKind::kSplit:
-        node.side = static_cast<int>(d.choose(1));
-        bits.split(node.side);
-        show(d, "split", node.side);
-        break;
-      case TreeNodeKind::kTime:
-        node.time = 1 + d.choose(kTimeSteps - 2);
-        bits.time(node.time);
-        show(d, "time", node.time);
-        break;
-      case TreeNodeKind::kOutside:
-        node.side = static_cast<int>(d.choose(1));
-        bits.outside(node.side);
-        show(d, "outside", node.side);
-    }
-    nodes.push_back(node);
-  }
-  TreeReader reader(bits.bytes());
-  for (const TreeNode& node : nodes) CLAIM(reader.next() == node);
-  CLAIM(reader.at_end());
-}
-
 }  // namespace
 
 std::vector<Property> miss_trees_claims() {
@@ -155,8 +119,6 @@ std::vector<Property> miss_trees_claims() {
        "A whole tree of separating leaves is accepted, and refused once it is cut off, goes on, or "
        "has a time outside of its window",
        "src/certify/checker/miss_tree.hpp", check_tree_form},
-      {"miss_tree.round_trip", "The bits of a miss tree read as the nodes that were written",
-       "the case format", check_tree_bits},
   };
 }
 

@@ -12,7 +12,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "method/method.hpp"
-#include "properties/against_oracle.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/show.hpp"
 

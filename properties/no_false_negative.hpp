@@ -16,6 +16,8 @@ inline constexpr ContactRange kOrdinaryRange;
 inline constexpr int kOrdinaryBits = 100;
 /// The products of two coordinates are subnormal or 0.
 inline constexpr ContactRange kTiny{-545, -530};
+/// The products of two coordinates, or of a few more, are infinite.
+inline constexpr ContactRange kHuge{500, 520};
 /// Nothing that is drawn under- or overflows a double; products do both. Half of the contacts are
 /// in other coordinates.
 inline constexpr ContactRange kElsewhere{

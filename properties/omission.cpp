@@ -30,22 +30,24 @@ void check_eps_coeff(Draw& d) {
 }
 
 /// A line that is not pushed since the computed phi ≥ −eps_phi is above the top of the stack at tU
-/// by at most `factor`·eps_phi. The paper says Delta_phi = eps_phi.
-std::function<void(Draw&)> delta_phi_is_at_most(int factor) {
+/// by at most `factor`·eps_phi. The paper says Delta_phi = eps_phi. at_start: the same of the top
+/// that is popped at tL since the computed Phi ≤ eps_Phi (Eq. 5b).
+std::function<void(Draw&)> delta_phi_is_at_most(int factor, bool at_start = false) {
   return [=](Draw& d) {
     const LinePairs pairs = draw_line_pairs(d);
     suppose(pairs.f.size() >= 2);
     const std::size_t i = d.choose(pairs.f.size() - 1), j = d.choose(pairs.f.size() - 1);
     // Anything near the border of the decision is of interest, the rest is not.
     const Line<double> top = show(d, "top", pairs.f[i]);
-    const double slope = pairs.f[j].slope, t = pairs.window.hi;
+    const double slope = pairs.f[j].slope, t = at_start ? pairs.window.lo : pairs.window.hi;
     const Line<double> line{slope, d.nudged(top.at(t) - slope * t, 20)};
     const auto exact = end_form(exact_line(top), exact_line(line), Dyadic::exact(t));
     const Dyadic eps = theorem_4_1_bound(exact.magnitude(), 3);
-    suppose(-eps <= Dyadic::exact(end_form(top, line, t).value()));
+    const Dyadic sign = Dyadic(at_start ? 1 : -1);
+    suppose(sign * Dyadic::exact(end_form(top, line, t).value()) <= eps);
     show(d, "line", line);
-    show(d, "tU", t);
-    CLAIM(-exact.value() <= Dyadic(factor) * eps);
+    show(d, at_start ? "tL" : "tU", t);
+    CLAIM(sign * exact.value() <= Dyadic(factor) * eps);
   };
 }
 
@@ -140,6 +142,9 @@ std::vector<Property> omission_claims() {
        delta_phi_is_at_most(1), kFails},
       {"paper.Delta_phi", "A line left out at t^U was above the envelope by at most 2 eps_phi",
        "Section 4.4, corrected; Eq. 16 has room for it", delta_phi_is_at_most(2)},
+      {"paper.Delta_Phi_at_start",
+       "A line popped at t^L was above the envelope by at most 2 eps_Phi",
+       "Section 4.4, corrected; Eq. 16 has room for it", delta_phi_is_at_most(2, true)},
       {"paper.Delta_Phi", "A line popped at Phi <= eps_Phi was too high by at most Delta_Phi",
        "Section 4.4, Fig. 2", check_delta_Phi},
       {"paper.eps_arith", "The selected lines are below all lines by at most eps_arith", "Eq. 16",

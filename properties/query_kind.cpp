@@ -92,10 +92,9 @@ Vec3<Rational> point_of(const MovingPatch<double>& patch, const Uv<Rational>& uv
         patch.weights.empty() ? basis[i] : Rational(basis[i] * exact(patch.weights[i]));
     sum += w;
     const Vec3<Rational> start = exact(patch.positions[i]), move = exact(patch.moves()[i]);
-    for (int k = 0; k < 3; ++k) point[k] += w * (rest * start[k] + t * move[k]);
+    point += (start * rest + move * t) * w;
   }
-  for (int k = 0; k < 3; ++k) point[k] /= sum;
-  return point;
+  return point / sum;
 }
 
 void claim_judged_by_meaning(Draw& d, Case known) {

@@ -1,7 +1,5 @@
 #include <cmath>
 
-#include "base/double_parts.hpp"
-#include "ccd/rational/exact_scene.hpp"
 #include "ccd/rational/pair_axes.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "generators/draw_patch.hpp"
@@ -11,82 +9,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-using exact_ccd::IntegerAxis;
-using exact_ccd::Units;
-
-constexpr int kLimitAxisBits = 30;
-
-/// Coordinates that are all ±(2^bits − 1), except one that is 1.
-Points<double> draw_largest_points(Draw& d, const Shape& shape, int bits, bool positive) {
-  const double largest = std::ldexp(1.0, bits) - 1;
-  Points<double> points(static_cast<std::size_t>(shape.control_count()),
-                        {largest, largest, largest});
-  for (Vec3<double>& p : points) {
-    for (double& x : p) {
-      if (!positive || d.choose(15) == 15) x = -largest;
-    }
-  }
-  points[0][0] = 1;
-  return points;
-}
-
-/// A query whose predicates need as many bits as possible at cells of the depth, but ≤ `bits`.
-Query draw_query_at_limit(Draw& d, int bits, int depth) {
-  Query query;
-  const int max_degree = std::min(bits / 64, kMaxDegree);
-  const int drift = d.integer(0, 9);
-  const int mantissa = d.integer(1, bits < 256 ? 9 : 53);
-  query.t_max = bits < 256 ? 0x1.fffp-500 : d.pick(std::array{1.0, 0x1.fffffffffffffp60});
-  const bool below = d.coin();
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& moving = query.patches[s];
-    moving.shape = draw_shape(d, max_degree);
-    moving.positions = draw_largest_points(d, moving.shape, mantissa, below == (s == 0));
-    moving.velocities = draw_largest_points(d, moving.shape, mantissa, below == (s == 0));
-    for (Vec3<double>& v : moving.velocities) {
-      for (double& x : v) x = std::ldexp(x, -drift - parts_of(query.t_max).top());
-    }
-  }
-  // The lowest bit is that of the velocities times the unit of time. Raising the positions above it
-  // a bit at a time reaches every number of bits.
-  const auto fits = [&](const Query& asked) {
-    return Units::of(asked).bits_needed(kLimitAxisBits, depth) <= bits;
-  };
-  suppose(fits(query));
-  for (Query raised = query; fits(raised);) {
-    query = raised;
-    for (MovingPatch<double>& moving : raised.patches) {
-      for (Vec3<double>& p : moving.positions) p *= 2;
-    }
-  }
-  return query;
-}
-
-template <int Bits>
-void check_last_bit(Draw& d) {
-  const int depth = d.integer(0, Bits < 256 ? 5 : 10);
-  const Query query = show(d, "query", draw_query_at_limit(d, Bits, depth));
-  const auto& [a, b] = query.patches;
-  const Cell first = draw_cell_at(d, a.shape, depth), second = draw_cell_at(d, b.shape, depth);
-  constexpr std::int32_t kMost = std::int32_t{1} << kLimitAxisBits;
-  IntegerAxis axis{{kMost, kMost, kMost}};
-  for (std::int32_t& x : axis.l) {
-    if (d.choose(7) == 7) x = d.pick(std::array{-kMost, 0, 1, kMost - 1});
-  }
-  const double t = show(d, "t", d.pick(std::array{query.t_max, 0.0}));
-  show(d, "bits", Units::of(query).bits_needed(kLimitAxisBits, depth));
-  show(d, "cells", std::array{first, second});
-  show(d, "axis", axis.l);
-  exact_ccd::ExactScene<WideInt<Bits>> scene;
-  scene.load(query, Units::of(query));
-  const std::vector<std::uint8_t> all(kMaxControls, 1);
-  const std::array lines = {lines_of_cell(a, first, axis), lines_of_cell(b, second, axis)};
-  for (std::size_t below = 0; below < 2; ++below) {
-    const int sign = scene.gap_sign(static_cast<int>(below), {first, second}, axis, t, {all, all});
-    CLAIM(sign == sgn(exact_gap(lines[below], lines[1 - below], exact(t))));
-  }
-}
 
 /// The inclusion test written down naively: exact sub-patches, exact windows from all pairs of
 /// lines, no filter, no integers, no grid.
@@ -171,14 +93,6 @@ void check_naive_search(Draw& d) {
 
 std::vector<Property> rational_search_claims() {
   return {
-      {"tdibm-rational.last_bit",
-       "Integers of the narrowest size that suffices give the exact sign of a gap",
-       "src/ccd/rational/units.hpp",
-       [](Draw& d) {
-         constexpr std::array kSizes = {check_last_bit<128>, check_last_bit<256>,
-                                        check_last_bit<512>};
-         d.pick(kSizes)(d);
-       }},
       {"tdibm-rational.is_what_it_says",
        "The method answers as its definition, written down naively",
        "src/ccd/rational/DERIVATION.md", check_naive_search},

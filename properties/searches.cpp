@@ -1,7 +1,6 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/shaped/features.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_weighted.hpp"
@@ -53,9 +52,9 @@ void check_not_early(Draw& d) {
   const auto last_child = static_cast<std::uint64_t>(patch.shape.child_count() - 1);
   patch = supposed(child_of(patch, static_cast<int>(d.choose(last_child))));
   const Answer answer = asked(d, name, of_part, kFineSearch);
-  show(d, "contact at", drawn.t);
+  const double t = show(d, "contact at", drawn.truth.witness->t.get_d());
   show(d, "explained", drawn.early);
-  CLAIM(answer.verdict != Verdict::kHit || drawn.t - *answer.toi <= drawn.early);
+  CLAIM(answer.verdict != Verdict::kHit || t - *answer.toi <= drawn.early);
 }
 
 /// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.

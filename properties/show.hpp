@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <concepts>
-#include <optional>
 #include <ranges>
 #include <string>
 #include <string_view>

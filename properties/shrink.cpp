@@ -2,14 +2,6 @@
 
 namespace ccdfuzz {
 
-InputRunner runner_of(const Property& property) {
-  return [property](const ChoiceNumbers& numbers) -> InputRun {
-    Draw choices = Draw::from_numbers(numbers);
-    Check check = run(property, choices);
-    return {std::move(check), "", choices.numbers()};
-  };
-}
-
 std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
                                                     const ChoiceNumbers& numbers,
                                                     const ShrinkLimits& limits) {

@@ -38,7 +38,6 @@ struct InputRun {
 
 /// A way to run a property on choices.
 using InputRunner = std::function<InputRun(const ChoiceNumbers&)>;
-InputRunner runner_of(const Property& property);
 
 /// Shrinks a sequence of choices on which the property failed; the result fails in the same way,
 /// which may be with another text. None if it does not fail each time that it is run on the same

@@ -20,32 +20,23 @@ namespace {
 
 /// A contact of plain, rational or trimmed patches that is known, and what the oracle says of the
 /// time before it. Or one at a separation, and the plane that it is planted with.
-struct ProvenContact {
+Case draw_proven_contact(Draw& choices) {
   Case known;
-  std::string tree;
-};
-
-ProvenContact draw_proven_contact(Draw& choices) {
-  ProvenContact out;
   switch (choices.choose(3)) {
     case 0:
-      out.known = supposed(draw_contact(choices, {-2, 2, 2}));
+      known = supposed(draw_contact(choices, {-2, 2, 2}));
       break;
     case 1:
-      out.known = case_of(draw_weighted_contact(choices));
+      known = case_of(draw_weighted_contact(choices));
       break;
     case 2:
-      out.known = draw_round_case(ContactClass::kVF, true, choices);
-      return out;
+      return draw_round_case(ContactClass::kVF, true, choices);
     default:
-      out.known = draw_trimmed_contact(choices);
+      known = draw_trimmed_contact(choices);
   }
-  const OracleOptions little{
-      .max_pops = 60, .max_tree_nodes = 800, .known = out.known.truth.witness};
-  Decision decision = decide(out.known.query, little);
-  out.tree = std::move(decision.tree);
-  out.known.truth = std::move(decision.truth);
-  return out;
+  const OracleOptions little{.max_pops = 60, .max_tree_nodes = 800, .known = known.truth.witness};
+  known.truth = decide(known.query, little).truth;
+  return known;
 }
 
 /// A number that is another, nearly another, or any.
@@ -86,7 +77,9 @@ std::string draw_tree(Draw& choices, const std::string& model, bool is_trimmed) 
   return choices.coin() ? tree : tree + choices.text(8);
 }
 
-void claim_tree_refused(Draw& d, const Case& known, const std::string& model) {
+void claim_tree_refused(Draw& d, const Case& known) {
+  const auto* const own = clearance_of<MissTree>(known.truth);
+  const std::string model = own == nullptr ? "" : own->tree.bytes;
   const Rational until = show(d, "until", draw_late(d, *known.truth.contact_by()));
   const std::string tree = draw_tree(d, model, is_trimmed(known.query));
   show(d, "tree", AsHex{tree});
@@ -96,9 +89,7 @@ void claim_tree_refused(Draw& d, const Case& known, const std::string& model) {
 void claim_plane_refused(Draw& d, const Case& known) {
   const Truth& truth = known.truth;
   MovingPlane plane{0, {1, 0, 0}, 0};
-  if (truth.clearance) {
-    if (const auto* model = std::get_if<MovingPlane>(&*truth.clearance)) plane = *model;
-  }
+  if (const auto* model = clearance_of<MovingPlane>(truth)) plane = *model;
   for (Rational& x : plane.normal) x = draw_number(d, x);
   plane.offset = draw_number(d, plane.offset);
   plane.until = draw_late(d, *truth.contact_by());
@@ -152,23 +143,23 @@ void claim_box_refused(Draw& d, Case known) {
 }
 
 /// At one with each other are a contact and a clearance that does not cover it.
-void claim_texts_agree(Draw& d, const Case& known, const std::string& tree) {
+void claim_texts_agree(Draw& d, const Case& known) {
   const std::string text = show(d, "text", draw_spoilt_text(d, to_json(known)));
   const Result<Case> read = parse_case(text, "input");
   if (!read || !check_truth(*read)) return;
   const Truth& truth = read->truth;
-  if (!truth.clearance || !check_clearance(read->query, *truth.clearance, tree)) return;
+  if (!truth.clearance || !check_clearance(read->query, *truth.clearance)) return;
   const auto contact = truth.contact_by();
   CLAIM(!contact || !covers(*truth.clearance, *contact));
 }
 
 void check_wrong_certificates(Draw& d) {
-  const auto [known, tree] = draw_proven_contact(d);
+  const Case known = draw_proven_contact(d);
   show(d, "contact", known);
   claim_plane_refused(d, known);
   claim_box_refused(d, known);
-  claim_texts_agree(d, known, tree);
-  claim_tree_refused(d, known, tree);  // last, as nothing is drawn after a text
+  claim_texts_agree(d, known);
+  claim_tree_refused(d, known);  // last, as nothing is drawn after a text
 }
 
 }  // namespace

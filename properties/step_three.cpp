@@ -2,8 +2,11 @@
 #include <optional>
 #include <utility>
 
+#include "ccd/reading.hpp"
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
+#include "properties/error_bound.hpp"
+#include "properties/exact_lines.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -15,11 +18,18 @@ struct PaperEnvelopes {
   Lines<double> first, second;
 };
 
+/// Whether Eqs. 8 and 9 are judged to hold at a pair of lines. They cross before patch 1 (alpha) or
+/// patch 2 (beta) goes on to its next line, or before the end if there is none.
+struct Judged {
+  bool alpha = false, beta = false;
+};
+
 /// The indices alpha, beta at which the walk of Section 3 ends. Nothing if the lines end first, or
-/// the distance of the envelopes no longer grows.
-template <class Policy>
+/// the distance of the envelopes no longer grows. Calls visit(alpha, beta, judged) on the way.
+template <class Policy, class Visit>
 std::optional<std::pair<int, int>> first_crossing(const Policy& policy,
-                                                  const PaperEnvelopes& envelopes, double t_end) {
+                                                  const PaperEnvelopes& envelopes, double t_end,
+                                                  const Visit& visit) {
   const Lines<double>&one = envelopes.first, &two = envelopes.second;
   const auto a = [&](int i, int j) { return one[i].slope - two[j].slope; };
   const auto b = [&](int i, int j) { return one[i].intercept - two[j].intercept; };
@@ -31,16 +41,17 @@ std::optional<std::pair<int, int>> first_crossing(const Policy& policy,
       return policy.negative(
           ProductDifference<double>{next_slope(), intercept, slope, next_intercept()});
     };
-    // Eq. 9, then Eq. 8.
-    const bool before_beta_turns = negative(
+    Judged judged;
+    judged.beta = negative(
         beta + 1 == two.size(), [&] { return a(alpha, beta + 1); },
         [&] { return b(alpha, beta + 1); });
-    const bool before_alpha_turns = negative(
+    judged.alpha = negative(
         alpha + 1 == one.size(), [&] { return a(alpha + 1, beta); },
         [&] { return b(alpha + 1, beta); });
-    if (before_alpha_turns && before_beta_turns) return std::pair(alpha, beta);
-    if (!before_alpha_turns && (before_beta_turns || Policy::kAdvancesBoth)) ++alpha;
-    if (!before_beta_turns) ++beta;
+    visit(alpha, beta, judged);
+    if (judged.alpha && judged.beta) return std::pair(alpha, beta);
+    if (!judged.alpha && (judged.beta || Policy::kAdvancesBoth)) ++alpha;
+    if (!judged.beta) ++beta;
   }
   return {};
 }
@@ -77,13 +88,13 @@ std::optional<SeparatedInterval<double>> literal_separation(const Policy& policy
                                   : forth.first[0].at(w.lo) < forth.second[0].at(w.lo);
   SeparatedInterval<double> found{w.lo, w.hi, apart_at_start, apart_at(last_f, last_g, w.hi)};
   if (!found.has_lo) {
-    const auto pair = first_crossing(policy, forth, w.hi);
+    const auto pair = first_crossing(policy, forth, w.hi, [](auto...) {});
     if (!pair) return {};
     found.lo = policy.left_root(f, g, pair->first, pair->second, w);
   }
   if (!found.has_hi) {
     const PaperEnvelopes back{backwards(forth.first), backwards(forth.second)};
-    const auto pair = first_crossing(policy, back, -w.lo);
+    const auto pair = first_crossing(policy, back, -w.lo, [](auto...) {});
     if (!pair) return {};
     found.hi = policy.right_root(f, g, last_f - pair->first, last_g - pair->second, w);
   }
@@ -103,6 +114,13 @@ void draw_window(Draw& choices, LinePairs& pairs) {
   const bool begins = choices.coin();
   if (begins && 0 <= t && t <= pairs.window.hi) pairs.window.lo = t;
   if (!begins && pairs.window.lo <= t && t <= 4) pairs.window.hi = t;
+}
+
+/// To the window on which methods as released look, which may begin before 0.
+void widen(Draw& choices, TimeWindow<double>& window) {
+  if (!choices.coin()) return;
+  window.lo -= kAsReleased.window_margin;
+  window.hi += kAsReleased.window_margin;
 }
 
 /// To where products of two of their numbers are subnormal or 0.
@@ -163,14 +181,126 @@ void check_step_three(Draw& d) {
     case 0:
       return claim_envelopes_follow(d, ErrorBoundIntended(), pairs, error);
     case 1:
+      widen(d, pairs.window);
       return claim_envelopes_follow(d, Plain(), pairs, error);
     case 2:
+      widen(d, pairs.window);
       return claim_lists_follow(d, pairs);
     default:
       // There, Phi < -eps holds of no line, and what Step III walks along is no envelope.
       make_tiny(d, pairs);
       return claim_envelopes_follow(d, ErrorBoundPrinted(), pairs, std::ldexp(error, -541));
   }
+}
+
+/// Two envelopes that count as exact, as Section 4.5 takes them, and a window.
+struct Envelopes {
+  Lines<double> f, g;
+  TimeWindow<double> window;
+};
+
+/// Half of the windows begin where the first two lines cross, or end where the last two do, up to a
+/// few floats. There Eqs. 7, 8b and 9b are hard to judge.
+Envelopes draw_envelopes(Draw& d) {
+  const LinePairs pairs = draw_line_pairs(d);
+  const auto [f, g] = selected_lines(ErrorBoundIntended(), pairs);
+  Envelopes drawn{f, g, pairs.window};
+  const bool at_start = d.coin(), near = d.coin();
+  const Line<double>&x = at_start ? drawn.f[0] : drawn.f.back(),
+        &y = at_start ? drawn.g[0] : drawn.g.back();
+  const double slope = x.slope + y.slope;
+  if (near && slope != 0) {
+    const double t = d.nudged(-((x.intercept + y.intercept) / slope), 20);
+    if (at_start && 0 <= t && t <= drawn.window.hi) drawn.window.lo = t;
+    if (!at_start && drawn.window.lo <= t && t <= 4) drawn.window.hi = t;
+  }
+  show(d, "window", drawn.window);
+  show(d, "f", drawn.f);
+  show(d, "g", drawn.g);
+  return drawn;
+}
+
+EndValue<Dyadic> exact_sum(const Line<double>& x, const Line<double>& y, double t) {
+  const Line<Dyadic> f = exact_line(x), g = exact_line(y);
+  return {f.slope + g.slope, f.intercept + g.intercept, Dyadic::exact(t)};
+}
+
+bool policy_starts_below(const Envelopes& e) {
+  return ErrorBoundIntended::starts_below(e.f[0], e.g[0], e.window.lo);
+}
+
+/// The way of Section 3 from the left.
+struct Walk {
+  std::vector<std::array<int, 2>> pairs;
+  bool found = false;          ///< the last pair is the one that crosses
+  bool missed_at_end = false;  ///< Eq. 8b or 9b is true of a pair, and was judged not to be
+};
+
+Walk walk(const Envelopes& e) {
+  Walk out;
+  const auto visit = [&](int i, int j, const Judged& judged) {
+    out.pairs.push_back({i, j});
+    const bool is_last = judged.beta ? !judged.alpha && i + 1 == e.f.size() : j + 1 == e.g.size();
+    const bool true_at_end = exact_sum(e.f[i], e.g[j], e.window.hi).value().sign() < 0;
+    out.missed_at_end = out.missed_at_end || (is_last && true_at_end);
+  };
+  const PaperEnvelopes forth{e.f, upside_down(e.g)};
+  out.found = first_crossing(ErrorBoundIntended(), forth, e.window.hi, visit).has_value();
+  return out;
+}
+
+/// Eq. 18. Let the exact Psi_max be < 0, the computed one not below −eps, and the next line of f
+/// less steep than that of g. Pull both envelopes apart by delta. Then the crossing with f's next
+/// line is no earlier than the crossing that was missed.
+void check_eq_18(Draw& d) {
+  const LinePairs pairs = draw_line_pairs(d);
+  const auto f = show(d, "f", draw_sorted(d, 2, pairs.f));
+  const Line<double> g = show(d, "g", pairs.g[d.choose(pairs.g.size() - 1)]);
+  const EndValue<Dyadic> now = exact_sum(f[0], g, 0), next = exact_sum(f[1], g, 0);
+  suppose(now.slope < next.slope && next.slope.sign() < 0);
+  const ProductDifference<Dyadic> exact{next.slope, now.intercept, now.slope, next.intercept};
+  const ProductDifference<double> psi{f[1].slope + g.slope, f[0].intercept + g.intercept,
+                                      f[0].slope + g.slope, f[1].intercept + g.intercept};
+  suppose(exact.value().sign() < 0);
+  suppose(-theorem_4_1_bound(exact.magnitude(), 4) <= Dyadic::exact(psi.value()));
+  const Dyadic delta_d = std::max(abs(now.intercept), abs(next.intercept));
+  const Dyadic delta = theorem_4_1_bound(delta_d.scaled(1), 4);
+  // −d/c ≤ −(d' + 2 delta)/c' with c < c' < 0, times c·c' > 0.
+  const Dyadic missed = now.intercept * next.slope;
+  const Dyadic computed = (next.intercept + delta.scaled(1)) * now.slope;
+  CLAIM(computed <= missed);
+}
+
+/// C.3: at every pair of the path but the last, "the situation corresponds to case 1", in Fig. 3
+/// c_beta > c_(alpha+1). That holds for the next line of the step, alpha + 1 or beta + 1.
+void check_path_is_case_1(Draw& d) {
+  const Envelopes e = draw_envelopes(d);
+  suppose(!policy_starts_below(e));
+  const Walk path = walk(e);
+  suppose(path.found && path.pairs.size() >= 2);
+  for (std::size_t k = 1; k < path.pairs.size(); ++k) {
+    const auto [i, j] = path.pairs[k];
+    show(d, "pair", path.pairs[k]);
+    CLAIM(exact_sum(e.f[i], e.g[j], 0).slope.sign() < 0);
+  }
+}
+
+/// Section 4.5: where Eq. 7 is judged not to hold, rightly or not. If f + g does not fall, the
+/// sweep ends at once. If it falls, the end found is not before t^L.
+void check_eq_7(Draw& d) {
+  const Envelopes e = draw_envelopes(d);
+  suppose(!policy_starts_below(e));
+  const auto found = separation(ErrorBoundIntended(), e.f, e.g, e.window);
+  if (!found) return;
+  show(d, "left end", found->lo);
+  CLAIM(exact_sum(e.f[0], e.g[0], 0).slope.sign() < 0);
+  CLAIM(e.window.lo <= found->lo);
+}
+
+void check_eq_8b_9b_omit(Draw& d) {
+  const Envelopes e = draw_envelopes(d);
+  suppose(!policy_starts_below(e) && walk(e).missed_at_end);
+  CLAIM(!separation(ErrorBoundIntended(), e.f, e.g, e.window));
 }
 
 }  // namespace
@@ -180,7 +310,22 @@ std::vector<Property> step_three_claims() {
       {"paper.step_three",
        "In doubles too, and whatever Step II left, Step III ends an interval at the pairs of lines "
        "that Eqs. 7 to 9 name",
-       "Section 3, Eqs. 7-9", check_step_three}};
+       "Section 3, Eqs. 7-9", check_step_three},
+      {"paper.eq_18",
+       "After one wrong judgement in case 3, envelopes pulled apart by delta each meet no earlier "
+       "than those that were missed",
+       "Eq. 18", check_eq_18},
+      {"paper.path_is_case_1",
+       "At every pair of the sweep's path but the last, the line that it goes on to leaves f + g "
+       "falling",
+       "Appendix C.3, by what each step goes on to", check_path_is_case_1},
+      {"paper.eq_7",
+       "If the first two lines are not judged to be in order, nothing is separated where they do "
+       "not come apart, and else no left end is before the window",
+       "Section 4.5, on Eq. 7", check_eq_7},
+      {"paper.eq_8b_9b_omit", "A wrong judgement at the end of an envelope excludes nothing",
+       "Section 4.5, on Eqs. 8b and 9b", check_eq_8b_9b_omit},
+  };
 }
 
 }  // namespace ccdfuzz

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace ccdfuzz {
 
 std::vector<Property> Suite::thought_to_hold() const {

@@ -8,7 +8,8 @@ namespace ccdfuzz {
 /// The paper's methods, with error bounds and without.
 std::vector<Property> tdibm_e_claims() {
   constexpr auto kAsPrinted = "Section 4.6, with eps_Phi's sign as printed";
-  const DrawCase ordinary = contacts_in(kOrdinaryRange), tiny = contacts_in(kTiny);
+  const DrawCase ordinary = contacts_in(kOrdinaryRange), tiny = contacts_in(kTiny),
+                 huge = contacts_in(kHuge);
   std::vector<Property> claims = {
       {"tdibm-e.no_false_negative",
        "No proven contact is missed, and none reported late, where nothing underflows, also after "
@@ -25,6 +26,8 @@ std::vector<Property> tdibm_e_claims() {
                      });
   add_contact_claims(claims, "tdibm-e", "_underflow", "about 2^-535",
                      "Section 4.6, which does not exclude underflow", tiny, kFails);
+  add_contact_claims(claims, "tdibm-e", "_overflow", "about 2^510",
+                     "Section 4.6, which does not exclude overflow", huge, kFails);
   add_contact_claims(claims, "tdibm-e-literal", "", "of ordinary numbers", kAsPrinted, ordinary,
                      kFails);
   add_contact_claims(claims, "tdibm", "", "of ordinary numbers", "Section 3, in double arithmetic",

@@ -1,11 +1,7 @@
-#include <cmath>
 
-#include "bezier/exact_patch.hpp"
-#include "bezier/trim_region.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
-#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_trim.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
@@ -110,26 +106,27 @@ void check_trim_linear(Draw& d) {
 void check_trim_hole(Draw& d) {
   const FirstContact drawn = draw_first_contact(d);
   Query whole = drawn.query;
-  whole.t_max = drawn.t;
+  const Witness& witness = *drawn.truth.witness;
+  whole.t_max = witness.t.get_d();
   Query trimmed = whole;
   const std::size_t side = d.choose(1);
   MovingPatch<double>& patch = trimmed.patches[side];
   suppose(patch.shape.parameter_count() == 2);
-  const Uv<Rational>& at = drawn.witness.uv[side];
+  const Uv<Rational>& at = witness.uv[side];
   const int halvings = 1 + static_cast<int>(d.choose(2));
   patch.trim = {loop_about(patch.shape, {0, 0}, 0),
                 loop_about(patch.shape, {at[0].get_d(), at[1].get_d()}, halvings)};
   suppose(is_valid(trimmed) && !is_in_region(patch.trim, at));
   show(d, "query", trimmed);
-  CLAIM(check_witness(whole, drawn.witness).has_value());
-  CLAIM(!check_witness(trimmed, drawn.witness));
+  CLAIM(check_witness(whole, witness).has_value());
+  CLAIM(!check_witness(trimmed, witness));
   constexpr std::uint64_t kNodes = 4000;
   const auto tree = supposed(build_miss_tree(trimmed, exact(whole.t_max), kNodes));
-  CLAIM(check_tree(trimmed, exact(whole.t_max), tree).has_value());
-  CLAIM(!check_tree(whole, exact(whole.t_max), tree));
+  CLAIM(check_clearance(trimmed, tree).has_value());
+  CLAIM(!check_clearance(whole, tree));
   Query filled = trimmed;
   filled.patches[side].trim.pop_back();
-  CLAIM(!check_tree(filled, exact(whole.t_max), tree));
+  CLAIM(!check_clearance(filled, tree));
 }
 
 /// A contact box of whole patches, one of which is a surface: its side and its radius there.
@@ -141,15 +138,10 @@ struct DrawnBox {
 };
 
 DrawnBox draw_box(Draw& d) {
+  const Case known = d.coin() ? Case(draw_first_contact(d)) : supposed(draw_contact(d, {-2, 2, 2}));
+  const Witness& witness = *known.truth.witness;
   DrawnBox out;
-  Witness witness;
-  if (d.coin()) {
-    const FirstContact drawn = draw_first_contact(d);
-    out.query = drawn.query, witness = drawn.witness;
-  } else {
-    const Case known = supposed(draw_contact(d, {-2, 2, 2}));
-    out.query = known.query, witness = *known.truth.witness;
-  }
+  out.query = known.query;
   ContactGuess guess{{}, round_down(witness.t), 0x1p-20};
   for (std::size_t s = 0; s < 2; ++s) {
     guess.uv[s] = {witness.uv[s][0].get_d(), witness.uv[s][1].get_d()};

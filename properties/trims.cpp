@@ -3,7 +3,6 @@
 
 #include "bezier/exact_patch.hpp"
 #include "bezier/orientation.hpp"
-#include "bezier/trim.hpp"
 #include "bezier/trim_region.hpp"
 #include "certify/checker/check_trim.hpp"
 #include "generators/draw_patch.hpp"

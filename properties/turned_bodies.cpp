@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/spin.hpp"

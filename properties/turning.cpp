@@ -91,7 +91,7 @@ void check_late_planes(Draw& d) {
   for (Rational& x : last.offsets) change(x);
   change(last.gap);
   if (planes.planes.size() > 1 && d.coin()) planes.planes.pop_back();
-  CLAIM(!check_clearance(known.query, planes, ""));
+  CLAIM(!check_clearance(known.query, planes));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Case draw_linear_proofs(Draw& choices) {
 }
 
 /// A case with what it proves, a contact, its absence or both, and nothing that it says. A tree
-/// is in no file: check_absence gets as far as that.
+/// is not known: check_absence gets as far as that.
 Case draw_proofs(Draw& choices) {
   enum class Source : std::uint8_t { kGenerated, kContact, kLinear, kTree };
   const Source source = choices.pick(
@@ -136,7 +136,7 @@ void check_other_start(Draw& d) {
   show(d, "case", moved);
   CLAIM(check_truth(moved).has_value() == (!witness || witness->t >= 0));
   if (!clearance) return;
-  CLAIM(check_clearance(moved.query, *clearance, "").has_value() == (until_of(*clearance) >= 0));
+  CLAIM(check_clearance(moved.query, *clearance).has_value() == (until_of(*clearance) >= 0));
 }
 
 }  // namespace

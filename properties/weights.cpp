@@ -2,13 +2,11 @@
 
 #include "case/scale.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/answers.hpp"
@@ -108,19 +106,19 @@ void check_clearances(Draw& d) {
   Query plain;
   const FirstContact drawn = draw_weighted_first_contact(d, &plain);
   show(d, "query", drawn.query);
-  const Rational& t = drawn.witness.t;
-  const auto plane = find_plane(drawn.query, drawn.witness);
-  CLAIM(plane.has_value() == find_plane(plain, drawn.witness).has_value());
+  const Witness& witness = *drawn.truth.witness;
+  const auto plane = find_plane(drawn.query, witness);
+  CLAIM(plane.has_value() == find_plane(plain, witness).has_value());
   if (plane) {
     MovingPlane later = *plane;
     later.until += power_of_two(-30);
     CLAIM(!check_plane(drawn.query, later));
   }
   constexpr std::uint64_t kFewNodes = 1000;
-  const Rational before = t * 3 / 4;
+  const Rational before = witness.t * 3 / 4;
   const auto tree = supposed(build_miss_tree(drawn.query, before, kFewNodes));
-  CLAIM(check_tree(drawn.query, before, tree).has_value());
-  CLAIM(!check_tree(drawn.query, t, tree));
+  CLAIM(check_clearance(drawn.query, tree).has_value());
+  CLAIM(!check_clearance(drawn.query, MissTree{witness.t, tree.tree}));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "allocations.hpp"
 
-#include <gmp.h>
 #include <malloc.h>
 
 #include <atomic>
@@ -56,19 +55,6 @@ long peak_allocated_bytes() {
 }
 void begin_peak() {
   peak = bytes.load();
-}
-
-void count_gmp_allocations() {
-  mp_set_memory_functions(
-      counted,
-      [](void* p, size_t, size_t size) {
-        ++count;
-        const auto before = static_cast<long>(malloc_usable_size(p));
-        void* const q = std::realloc(p, size);
-        add_bytes(static_cast<long>(malloc_usable_size(q)) - before);
-        return q;
-      },
-      [](void* p, size_t) { release(p); });
 }
 
 }  // namespace ccdfuzz

@@ -1,10 +1,8 @@
 // The assertions of tdibm-c against faults planted in it. Each of these faults is stopped within a
 // few hundred queries, and before any answer is wrong. Nothing stops the right sources. Exits 1 if
 // that is not so.
-#include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <random>
 #include <set>

@@ -2,7 +2,6 @@
 
 #include <sys/mman.h>
 
-#include <new>
 #include <stdexcept>
 
 namespace ccdfuzz {

@@ -95,9 +95,7 @@ bool splice(Contact& q, const Contact& other, Draw& draw) {
   if (patch.has_ends() != q.query.patches[to].has_ends()) return false;
   const Dyadic later = other.t - q.t;
   for (size_t i = 0; i < patch.velocities.size(); ++i) {
-    Vec3<Dyadic> way;
-    for (int k = 0; k < 3; ++k) way[k] = Dyadic::exact(patch.velocities[i][k]) * later;
-    if (!add_exactly(patch.positions[i], way)) return false;
+    if (!add_exactly(patch.positions[i], exact_dyadic(patch.velocities[i]) * later)) return false;
   }
   q.query.patches[to] = std::move(patch);
   q.uv[to] = other.uv[from];

@@ -10,25 +10,18 @@ std::optional<long> exponent_of_power_of_two(const Dyadic& x) {
   return x.exponent();
 }
 
-bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
-  for (Vec3<double>& p : points) {
-    if (!add_exactly(p, by)) return false;
-  }
-  return true;
-}
-
 /// The ways to move what patch `side` has at the contact by `by` over its weight there.
 bool shift_patch(Contact& q, size_t side, const Vec3<Dyadic>& by) {
   MovingPatch<double>& patch = q.query.patches[side];
   const auto way = divided(by, q.weight(side));
-  return way && shift_all(patch.positions, *way) &&
-         (!patch.has_ends() || shift_all(patch.ends, *way));
+  return way && add_exactly(patch.positions, *way) &&
+         (!patch.has_ends() || add_exactly(patch.ends, *way));
 }
 
 bool shift_velocity(Contact& q, size_t side, const Vec3<Dyadic>& by) {
   const auto k = exponent_of_power_of_two(q.t);
   const auto way = divided(by, q.weight(side));
-  return k && way && shift_all(q.query.patches[side].moves(), *way * Dyadic(1, -*k));
+  return k && way && add_exactly(q.query.patches[side].moves(), *way * Dyadic(1, -*k));
 }
 
 bool shift_control(Contact& q, size_t side, const Vec3<Dyadic>& by, Draw& draw) {

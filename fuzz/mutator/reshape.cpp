@@ -3,57 +3,21 @@
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "fuzz/mutator/moves.hpp"
+#include "fuzz/mutator/repair.hpp"
+#include "generators/weighted.hpp"
 #include "numeric/small_dyadic.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Control point i of the result is control point from[i].
-void permute(MovingPatch<double>& patch, const Shape& shape, const std::vector<int>& from) {
-  const MovingPatch<double> old = patch;
-  patch.shape = shape;
-  for (size_t i = 0; i < from.size(); ++i) {
-    patch.positions[i] = old.positions[static_cast<size_t>(from[i])];
-    patch.moves()[i] = old.moves()[static_cast<size_t>(from[i])];
-    if (!old.weights.empty()) patch.weights[i] = old.weights[static_cast<size_t>(from[i])];
-  }
-}
-
-/// The places of control points when barycentric a of the result is barycentric order[a] of the
-/// patch; barycentrics in the order u, v, w.
-std::vector<int> permuted_triangle(const Shape& shape, const std::array<size_t, 3>& order) {
-  std::vector<int> from;
-  for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= shape.n - i; ++j) {
-      const std::array<int, 3> power = {i, j, shape.n - i - j};
-      std::array<int, 3> old{};
-      for (size_t a = 0; a < 3; ++a) old[order[a]] = power[a];
-      from.push_back(shape.index(old[0], old[1]));
-    }
-  }
-  return from;
-}
-
-/// x divided by an odd number. nullopt if that is not dyadic.
-std::optional<Dyadic> divided_by_odd(const Dyadic& x, int by) {
-  if (x.mantissa() % by != 0) return std::nullopt;
-  return Dyadic(Integer(x.mantissa() / by), x.exponent());
-}
-std::optional<SmallDyadic> divided_by_odd(const SmallDyadic& x, int by) {
-  return x.divided_by_odd(by);
-}
-
-/// v / by, if that is dyadic.
-template <class S>
-std::optional<Vec3<S>> divided(const Vec3<S>& v, int by) {
-  long halvings = 0;
-  for (; by % 2 == 0; by /= 2) ++halvings;
-  Vec3<S> out;
+/// v / by, if that is dyadic; lost where v is. Dyadic numbers have that of generators/weighted.hpp.
+std::optional<Vec3<SmallDyadic>> divided(const Vec3<SmallDyadic>& v, const SmallDyadic& by) {
+  Vec3<SmallDyadic> out;
   for (int k = 0; k < 3; ++k) {
-    const auto quotient = divided_by_odd(v[k], by);
+    const auto quotient = v[k].divided(by);
     if (!quotient) return std::nullopt;
-    out[k] = quotient->scaled(-halvings);
+    out[k] = *quotient;
   }
   return out;
 }
@@ -63,7 +27,7 @@ template <class S>
 std::optional<Points<S>> points_of_higher(const Shape& shape, const Points<S>& points, bool in_v) {
   Elevated<S> higher = elevated(shape, points, in_v);
   for (Vec3<S>& p : higher.points) {
-    const auto mean = divided(p, higher.times);
+    const auto mean = divided(p, S(higher.times));
     if (!mean) return std::nullopt;
     p = *mean;
   }
@@ -115,15 +79,13 @@ void reparametrise_patch(Contact& q, size_t side, std::uint64_t way) {
   MovingPatch<double>& patch = q.query.patches[side];
   Uv<Dyadic>& uv = q.uv[side];
   const Shape shape = patch.shape;
-  std::vector<int> from;
   switch (shape.kind) {
     case ShapeKind::kHull:
       refuse_hull();
     case ShapeKind::kPoint:
       return;
     case ShapeKind::kCurve:
-      for (int i = shape.n; i >= 0; --i) from.push_back(i);
-      permute(patch, shape, from);
+      patch = picked(patch, shape, [&](int i, int) { return shape.n - i; });
       uv[0] = Dyadic(1) - uv[0];
       return;
     case ShapeKind::kTriangle: {
@@ -131,19 +93,22 @@ void reparametrise_patch(Contact& q, size_t side, std::uint64_t way) {
           {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
       const std::array<size_t, 3>& order = kOrders[way % kOrders.size()];
       const std::array<Dyadic, 3> x = {uv[0], uv[1], Dyadic(1) - uv[0] - uv[1]};
-      permute(patch, shape, permuted_triangle(shape, order));
+      // Barycentric a of the result is barycentric order[a] of the patch.
+      patch = picked(patch, shape, [&](int i, int j) {
+        const std::array<int, 3> power = {i, j, shape.n - i - j};
+        std::array<int, 3> old{};
+        for (size_t a = 0; a < 3; ++a) old[order[a]] = power[a];
+        return shape.index(old[0], old[1]);
+      });
       uv = {x[order[0]], x[order[1]]};
       return;
     }
     case ShapeKind::kTensor: {
       const bool transpose = way % 2 == 0;
       const Shape turned = transpose ? Shape::tensor(shape.m, shape.n) : shape;
-      for (int i = 0; i <= turned.n; ++i) {
-        for (int j = 0; j <= turned.m; ++j) {
-          from.push_back(transpose ? shape.index(j, i) : shape.index(shape.n - i, j));
-        }
-      }
-      permute(patch, turned, from);
+      patch = picked(patch, turned, [&](int i, int j) {
+        return transpose ? shape.index(j, i) : shape.index(shape.n - i, j);
+      });
       if (transpose) {
         std::swap(uv[0], uv[1]);
       } else {

@@ -1,7 +1,5 @@
 #include "generators/draw/draw.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>

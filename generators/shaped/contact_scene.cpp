@@ -6,7 +6,6 @@
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_witness.hpp"
 #include "generators/exact_sum.hpp"
 #include "generators/finalize.hpp"
 #include "numeric/products.hpp"
@@ -155,9 +154,7 @@ std::optional<Case> to_case(const ContactScene& scene, const Placement& placemen
   if (!query) return std::nullopt;
   out.query = *query;
   if (!scene.touches) return out;
-  CCDFUZZ_VERIFY(check_witness(out.query, witness));
-  out.truth.collides = true;
-  out.truth.witness = witness;
+  say_contact(out, witness);
   if (scene.separated) {
     CCDFUZZ_VERIFY(check_plane(out.query, std::get<MovingPlane>(*out.truth.clearance)));
     out.truth.clear_until = witness.t;

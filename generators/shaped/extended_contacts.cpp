@@ -1,6 +1,5 @@
 #include "generators/shaped/families.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "bezier/restrict.hpp"
@@ -170,6 +169,8 @@ PlacedScene placed(ContactScene scene, Draw& draw) {
   return {std::move(scene), random_placement(draw)};
 }
 
+}  // namespace
+
 bool have_edges_alike(ContactClass, const ShapePair& shapes) {
   return !edges_alike(shapes).empty();
 }
@@ -293,29 +294,6 @@ PlacedScene touching_over_an_area(ContactClass contact, const ShapePair& shapes,
     scene.separated = false;
   }
   return placed(std::move(scene), draw);
-}
-
-}  // namespace
-
-/// They touch in more than one point, all in the contact plane but for area, at t* = t_max = 1. The
-/// contact that the scene names is one of them. Before t* the plane separates the patches, but
-/// curved ones of area, and several of FF, whose heights the checker does not see to be ≥ 0.
-std::span<const FamilyRow> extended_families() {
-  static constexpr std::array kOfAFace = {ContactClass::kFF, ContactClass::kEF, ContactClass::kVF};
-  static constexpr std::array kOfBoundaries = {ContactClass::kEE, ContactClass::kVE,
-                                               ContactClass::kVV};
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kSharedEdge, "shared-edge", "touch along an edge of both, or a part of it; EE VE VV",
-       classes(kOfBoundaries, kOfBoundaries), touching_along_edges, have_edges_alike},
-      {Family::kRuled, "ruled", "touch along a line of parameters; FF EF VF",
-       classes(kOfAFace, kOfAFace), touching_along_a_line, have_a_line},
-      {Family::kSeveral, "several", "touch in two points at once, or more; of FF witness only",
-       classes(kAllClasses, kAllButFF), touching_at_points, have_two_points},
-      {Family::kArea, "area",
-       "touch over an area, one being a part of the other at t*; curved ones witness only",
-       classes(kAllClasses, kAllClasses), touching_over_an_area, are_equal_surfaces},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

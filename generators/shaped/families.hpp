@@ -35,31 +35,17 @@ struct FamilyRow {
       nullptr;  ///< the shapes that it can have beside the features of the class; null: all
 };
 
-inline constexpr FamilyRow::Classes kAllClasses = kContactClasses;
-inline constexpr std::array kAllButFF = {ContactClass::kEF, ContactClass::kEE, ContactClass::kVF,
-                                         ContactClass::kVE, ContactClass::kVV};
-/// By default none.
-constexpr FamilyRow::ClassesOfKinds classes(FamilyRow::Classes positives,
-                                            FamilyRow::Classes negatives = {},
-                                            FamilyRow::Classes near_hits = {},
-                                            FamilyRow::Classes near_misses = {}) {
-  return {positives, negatives, near_hits, near_misses};
-}
-
-/// The rows of each file that makes cases: moving_variants.cpp, odd_variants.cpp,
-/// extended_contacts.cpp, generate.cpp, and those of the folder above.
-std::span<const FamilyRow> moving_families();
-std::span<const FamilyRow> odd_families();
-std::span<const FamilyRow> extended_families();
-std::span<const FamilyRow> other_families();
-std::span<const FamilyRow> body_families();
-std::span<const FamilyRow> weighted_families();
-std::span<const FamilyRow> round_families();
-std::span<const FamilyRow> trimmed_families();
-std::span<const FamilyRow> ends_families();
-std::span<const FamilyRow> separated_families();
-std::span<const FamilyRow> turning_families();
-std::span<const FamilyRow> mesh_families();
+// What makes them: moving_variants.cpp, odd_variants.cpp, extended_contacts.cpp, and files of the
+// folder above (bodies.hpp has framed_bodies).
+FamilyRow::Make regular_variant, flat_grazing_variant, common_velocity_variant, scaled_variant,
+    interior_time_variant, at_start_variant, resting_variant, sliding_variant, degenerate_variant,
+    sliver_variant, high_curvature_variant, mixed_scales_variant, far_away_variant,
+    concurrent_lines_variant, touching_along_edges, touching_along_a_line, touching_at_points,
+    touching_over_an_area;
+Attempt grazing_bodies_case, weighted_case, round_case, trimmed_case, ends_case, separated_case,
+    turning_case, spinning_case, mesh_case;
+FamilyRow::Fits have_edges_alike, have_a_line, have_two_points, are_equal_surfaces, have_weights,
+    have_a_surface;
 
 /// The one of a family.
 const FamilyRow& row_of(Family family);

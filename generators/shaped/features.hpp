@@ -47,14 +47,6 @@ inline Feature feature_at(const Barycentric& x) {
 /// True iff the control point at this place has a share in the point: its weight there is not 0.
 bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j);
 
-/// Calls visit(i, j) for every control point, in Shape's order.
-template <class Visit>
-void for_each_control(const Shape& shape, const Visit& visit) {
-  for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= shape.last_column(i); ++j) visit(i, j);
-  }
-}
-
 /// The parameters of a patch that those of a part of it mean. The part has its (u, v) = (0, 0),
 /// (1, 0) and (0, 1) at the corners, or if it is no triangle (0, 0) and (1, 1) at the first two.
 Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "generators/grazing.hpp"
+#include "generators/paper.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/heights.hpp"
 
@@ -87,14 +87,14 @@ ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
   return scene;
 }
 
-namespace {
-
 PlacedScene regular_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement = random_placement(draw);
   made.scene = touching(contact, shapes, draw);
   return made;
 }
+
+namespace {
 
 /// The regular scene, for `change` to vary.
 template <class Change>
@@ -104,6 +104,8 @@ PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
   change(made);
   return made;
 }
+
+}  // namespace
 
 PlacedScene interior_time_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   return changed(contact, shapes, draw,
@@ -184,39 +186,6 @@ PlacedScene flat_grazing_variant(ContactClass contact, const ShapePair& shapes, 
   const Planar where = {draw.lattice(bits, -28), draw.lattice(bits, -28)};
   made.placement.shift = point_of(made.placement.frame, where, Dyadic());
   return made;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> moving_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kRegular, "regular", "the contact that --contact names, and nothing else",
-       classes(kAllClasses, kAllClasses, kAllClasses, kAllClasses), regular_variant},
-      // They touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
-      {Family::kFlatGrazing, "flat-grazing",
-       "nearly flat, sliding along each other on a plane through the origin", classes(kAllClasses),
-       flat_grazing_variant},
-      // Against pull-apart relative to the intercept.
-      {Family::kCommonVelocity, "common-velocity",
-       "both with the same velocity of 2^8 to 2^20 on top of their own",
-       classes(kAllClasses, kAllClasses), common_velocity_variant},
-      // Most near where products of two underflow.
-      {Family::kScaled, "scaled", "all numbers times 2^k, k from -1000 to 900",
-       classes(kAllClasses, kAllClasses), scaled_variant},
-      // t* is a dyadic rational.
-      {Family::kInteriorTime, "interior-time", "t* < t_max", classes(kAllClasses, kAllClasses),
-       interior_time_variant},
-      // They then cross, part or both.
-      {Family::kAtStart, "at-start", "in touch at t = 0; witness only", classes(kAllClasses),
-       at_start_variant},
-      {Family::kResting, "resting",
-       "in touch from start to end, without relative velocity; witness only", classes(kAllClasses),
-       resting_variant},
-      {Family::kSliding, "sliding",
-       "slide onto each other at t* and stay in touch for a time; witness only",
-       classes(kAllClasses), sliding_variant},
-  });
-  return kRows;
 }
 
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,

@@ -101,9 +101,7 @@ void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_e
   focus[2] = after == upper ? lowest - clear : highest + clear;
   side.rates.clear();
   for (const Vec3<Dyadic>& p : side.points) {
-    Vec3<Dyadic> rate = after ? Vec3<Dyadic>(focus - p) : Vec3<Dyadic>(p - focus);
-    for (int k = 0; k < 3; ++k) rate[k] = rate[k].scaled(rate_exponent);
-    side.rates.push_back(rate);
+    side.rates.push_back((focus - p) * Dyadic(after ? 1 : -1, rate_exponent));
   }
 }
 
@@ -124,6 +122,8 @@ void change_sides(ContactScene& scene, Draw& draw, const Change& change) {
     if ((which >> s & 1) != 0) change(s, scene.sides[s]);
   }
 }
+
+}  // namespace
 
 PlacedScene concurrent_lines_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = near_origin(contact, shapes, draw);
@@ -203,31 +203,6 @@ PlacedScene high_curvature_variant(ContactClass contact, const ShapePair& shapes
     scale_axes(side.points, 2, 2, draw.integer(4, 12));
   });
   return made;
-}
-
-}  // namespace
-
-std::span<const FamilyRow> odd_families() {
-  static constexpr auto kRows = std::to_array<FamilyRow>({
-      {Family::kDegenerate, "degenerate", "collapsed edges, repeated control points, no area",
-       classes(kAllClasses, kAllClasses), degenerate_variant},
-      {Family::kSliver, "sliver", "2^4 to 2^30 times as long as wide",
-       classes(kAllClasses, kAllClasses), sliver_variant},
-      {Family::kHighCurvature, "high-curvature", "much taller than wide above the contact plane",
-       classes(kAllClasses, kAllClasses), high_curvature_variant},
-      // Coordinates of sizes of their own, 2^-900 to 2^800.
-      {Family::kMixedScales, "mixed-scales",
-       "one much smaller than the other, coordinates of different sizes",
-       classes(kAllClasses, kAllClasses), mixed_scales_variant},
-      // Some as fast.
-      {Family::kFarAway, "far-away", "as far from the origin as the bits allow",
-       classes(kAllClasses, kAllClasses), far_away_variant},
-      // Exactly, or but for a few ulps: the lines that they make on every axis cross in one point.
-      {Family::kConcurrentLines, "concurrent-lines",
-       "all control points pass through one point at one time, or nearly",
-       classes(kAllClasses, kAllClasses), concurrent_lines_variant},
-  });
-  return kRows;
 }
 
 }  // namespace ccdfuzz

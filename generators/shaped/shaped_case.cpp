@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "base/verify.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/families.hpp"
@@ -76,7 +73,7 @@ ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
 
 Attempted as_asked(Case positive, const GeneratorOptions& options) {
   if (options.kind != CaseKind::kRN) return positive;
-  if (!positive.truth.clearance) return tl::unexpected(Discard::kFirstContact);
+  if (!positive.truth.clear_until) return tl::unexpected(Discard::kFirstContact);
   positive.truth.clear_until = positive.truth.witness->t - eps_t(options).rational();
   const auto t_max = to_double_exactly(*positive.truth.clear_until);
   if (!t_max) return tl::unexpected(Discard::kRoundTrip);
@@ -118,11 +115,7 @@ Attempted shaped_case(const GeneratorOptions& options, Draw& draw) {
       value->truth.clear_until = before.rational();
       break;
     case CaseKind::kNMN:
-      if (!miss_is_proven(value->query, options.proof_pops))
-        return tl::unexpected(Discard::kFirstContact);
-      say_clear(*value, value->query.t_max);
-      value->truth.clear_until = exact(value->query.t_max);
-      break;
+      return proven_apart(*std::move(value), options);
   }
   return *std::move(value);
 }

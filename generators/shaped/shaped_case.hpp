@@ -18,8 +18,8 @@ std::array<Shape, 2> shapes_of(const GeneratorOptions& options, Draw& draw);
 /// A positive of this family, of shapes that fit the options.
 Attempted plain_case(Family family, const GeneratorOptions& options, Draw& draw);
 
-/// A positive; if RN is asked for, the negative with the same patches that ends eps_T before the
-/// contact, which needs a clearance.
+/// A positive. If RN is asked for, the negative with the same patches that ends eps_T before the
+/// contact, which must be proven clear until then.
 Attempted as_asked(Case positive, const GeneratorOptions& options);
 
 }  // namespace ccdfuzz

@@ -29,7 +29,7 @@ class FpGuard {
   /// True iff the calling thread is in that state: what a function that needs a guard may assert.
   static bool holds() { return is_sound(read()); }
 
- private:
+  /// The control word of the calling thread: MXCSR, FPCR.
 #if defined(__SSE2_MATH__) || defined(_M_X64)
   using Word = std::uint32_t;
   static constexpr Word kSound = 0x1f80;    // MXCSR: all exceptions masked, nearest, no FTZ, no DAZ
@@ -57,6 +57,8 @@ class FpGuard {
 #else
 #error "fp_guard.hpp knows no floating-point control word of this machine: every bound rests on it"
 #endif
+
+ private:
   static bool is_sound(Word word) {
     return (word & kControl) == kSound;
   }

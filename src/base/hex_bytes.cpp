@@ -1,28 +1,29 @@
 #include "base/hex_bytes.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdint>
-
 namespace ccdfuzz {
+
+namespace {
+
+constexpr std::string_view kDigits = "0123456789abcdef";
+
+}  // namespace
 
 std::string to_hex_bytes(std::string_view bytes) {
   std::string text;
-  for (const char byte : bytes) text += fmt::format("{:02x}", static_cast<std::uint8_t>(byte));
+  text.reserve(2 * bytes.size());
+  for (const char byte : bytes) {
+    const auto value = static_cast<unsigned char>(byte);
+    text += {kDigits[value / 16], kDigits[value % 16]};
+  }
   return text;
 }
 
-Result<std::string> parse_hex_bytes(std::string_view text) {
-  const auto digit = [](char c) -> int {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-  };
+std::optional<std::string> parse_hex_bytes(std::string_view text) {
+  if (text.size() % 2 != 0 || text.find_first_not_of(kDigits) != std::string_view::npos) return {};
   std::string bytes;
+  bytes.reserve(text.size() / 2);
   for (std::size_t i = 0; i < text.size(); i += 2) {
-    const int high = digit(text[i]), low = i + 1 < text.size() ? digit(text[i + 1]) : -1;
-    if (high < 0 || low < 0) {
-      return input_error("", fmt::format("\"{}\" is not pairs of hex digits 0-9a-f", text));
-    }
-    bytes.push_back(static_cast<char>(high * 16 + low));
+    bytes += static_cast<char>(16 * kDigits.find(text[i]) + kDigits.find(text[i + 1]));
   }
   return bytes;
 }

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/fp_guard.hpp"
-#include "base/text.hpp"
 
 namespace ccdfuzz {
 
@@ -87,15 +86,6 @@ Result<double> parse_seconds(const std::string& where, const std::string& text) 
     if (0 < seconds && seconds <= kMostSeconds) return seconds;
     return input_error(where, fmt::format("{} is not in (0, {}]", text, kMostSeconds));
   });
-}
-
-Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string& one : texts_between(text)) {
-    CCDFUZZ_TRY(const double number, parse_number(where, one));
-    numbers.push_back(number);
-  }
-  return numbers;
 }
 
 Result<int> parse_power_of_two(const std::string& where, const std::string& text) {

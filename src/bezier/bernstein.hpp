@@ -26,12 +26,10 @@ std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
     case ShapeKind::kCurve:
     case ShapeKind::kTriangle: {
       const S rest(S(S(1) - uv[0]) - uv[1]);
-      for (int i = 0; i <= shape.n; ++i) {
-        for (int j = 0; j <= shape.last_column(i); ++j) {
-          weights.push_back(S(choose(shape.n, i) * choose(shape.n - i, j)) * power(uv[0], i) *
-                            power(uv[1], j) * power(rest, shape.n - i - j));
-        }
-      }
+      for_each_control(shape, [&](int i, int j) {
+        weights.push_back(S(choose(shape.n, i) * choose(shape.n - i, j)) * power(uv[0], i) *
+                          power(uv[1], j) * power(rest, shape.n - i - j));
+      });
       break;
     }
     case ShapeKind::kTensor: {

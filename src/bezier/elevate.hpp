@@ -33,19 +33,17 @@ Elevated<S> elevated(const Shape& shape, const Points<S>& points, bool in_v = fa
   const Vec3<S> none{S(0), S(0), S(0)};
   Elevated<S> out{to, Points<S>(static_cast<size_t>(to.control_count()), none), degree};
   const bool is_triangle = shape.kind == ShapeKind::kTriangle;
-  for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= shape.last_column(i); ++j) {
-      const Vec3<S>& p = points[static_cast<size_t>(shape.index(i, j))];
-      const auto give = [&](int to_i, int to_j, int weight) {
-        Vec3<S>& sum = out.points[static_cast<size_t>(to.index(to_i, to_j))];
-        for (int k = 0; k < 3; ++k) sum[k] += p[k] * S(weight);
-      };
-      const bool gives_in_u = !in_v, gives_in_v = in_v || is_triangle;
-      if (gives_in_u) give(i + 1, j, i + 1);
-      if (gives_in_v) give(i, j + 1, j + 1);
-      give(i, j, degree - (gives_in_u ? i : 0) - (gives_in_v ? j : 0));
-    }
-  }
+  for_each_control(shape, [&](int i, int j) {
+    const Vec3<S>& p = points[static_cast<size_t>(shape.index(i, j))];
+    const auto give = [&](int to_i, int to_j, int weight) {
+      Vec3<S>& sum = out.points[static_cast<size_t>(to.index(to_i, to_j))];
+      for (int k = 0; k < 3; ++k) sum[k] += p[k] * S(weight);
+    };
+    const bool gives_in_u = !in_v, gives_in_v = in_v || is_triangle;
+    if (gives_in_u) give(i + 1, j, i + 1);
+    if (gives_in_v) give(i, j + 1, j + 1);
+    give(i, j, degree - (gives_in_u ? i : 0) - (gives_in_v ? j : 0));
+  });
   return out;
 }
 

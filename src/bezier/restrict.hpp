@@ -21,15 +21,13 @@ void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
   const bool is_triangle = shape.kind == ShapeKind::kTriangle;
   // Control point (i, j) takes i arguments at the u end, j at the v end, the rest at the origin.
   std::array<Uv<S>, kMaxDegree> arguments;
-  for (int i = 0; i <= shape.n; ++i) {
-    for (int j = 0; j <= shape.last_column(i); ++j) {
-      for (int s = 0; s < std::max(shape.n, shape.m); ++s) {
-        arguments[s] = is_triangle ? corners[corner_of_triangle(i, j, s)]
-                                   : Uv<S>{corners[s < i ? 1 : 0][0], corners[s < j ? 1 : 0][1]};
-      }
-      out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
+  for_each_control(shape, [&](int i, int j) {
+    for (int s = 0; s < std::max(shape.n, shape.m); ++s) {
+      arguments[s] = is_triangle ? corners[corner_of_triangle(i, j, s)]
+                                 : Uv<S>{corners[s < i ? 1 : 0][0], corners[s < j ? 1 : 0][1]};
     }
-  }
+    out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
+  });
 }
 
 /// The whole moving patch restricted to corners, with velocities and without trim: a rational one

@@ -90,6 +90,14 @@ struct Shape {
   friend constexpr bool operator==(const Shape&, const Shape&) = default;
 };
 
+/// Calls visit(i, j) for every control point of a patch, in the order above.
+template <class Visit>
+constexpr void for_each_control(const Shape& shape, const Visit& visit) {
+  for (int i = 0; i <= shape.n; ++i) {
+    for (int j = 0; j <= shape.last_column(i); ++j) visit(i, j);
+  }
+}
+
 /// The binomial coefficient: of a Bernstein polynomial of degree n ≤ kMaxDegree, at most 70.
 constexpr int choose(int n, int k) {
   int c = 1;

@@ -85,6 +85,12 @@ inline std::string_view proof_word(const Clearance& clearance) {
   return kProofWords[kWords[clearance.index()]];
 }
 
+/// The certificate of this kind by which nothing touches until its time, or null.
+template <class Kind>
+const Kind* clearance_of(const Truth& truth) {
+  return truth.clearance ? std::get_if<Kind>(&*truth.clearance) : nullptr;
+}
+
 /// What a method must show on a case.
 struct Expected {
   Outcome outcome = Outcome::kUnknown;

@@ -63,21 +63,22 @@ struct MovingPlane {
   friend bool operator==(const MovingPlane&, const MovingPlane&) = default;
 };
 
-/// Where a miss tree stands in the file of trees beside its case: one zstd frame.
-struct TreeRef {
-  std::uint64_t offset = 0;
-  std::uint64_t length = 0;  ///< the frame's
-  std::string xxh3;          ///< XXH3-128 of the bytes in it, 32 hexadecimal digits
+/// A miss tree, as certify/checker/miss_tree.hpp says. Empty: it stood in another file, as earlier
+/// versions kept it, and is not known.
+struct TreeBytes {
+  std::string bytes;
 
-  friend bool operator==(const TreeRef&, const TreeRef&) = default;
+  friend bool operator==(const TreeBytes&, const TreeBytes&) = default;
 };
 
 /// Certificate T: a tree of separating axes that covers all pairs of parts of the patches at every
 /// t in the closed [0, until].
 struct MissTree {
   static constexpr bool closed = true;
+  /// The largest of the paper's set has 850 kB; it bounds what a wrong file takes.
+  static constexpr size_t kMaxBytes = 2 << 20;
   Rational until;
-  TreeRef tree;
+  TreeBytes tree;  ///< at most kMaxBytes
 
   friend bool operator==(const MissTree&, const MissTree&) = default;
 };

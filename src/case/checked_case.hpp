@@ -31,8 +31,8 @@ class CheckedCase {
   friend bool operator==(const CheckedCase&, const CheckedCase&) = default;
 
  private:
-  friend Result<CheckedCase> check_case(Case value, std::string_view tree);
-  friend CheckedCase checked_or_unknown(const Case& value, std::string_view tree);
+  friend Result<CheckedCase> check_case(Case value);
+  friend CheckedCase checked_or_unknown(const Case& value);
   CheckedCase(Case value, bool clearance_holds)
       : value_(std::move(value)), clearance_holds_(clearance_holds) {}
 

@@ -172,6 +172,11 @@ std::optional<Rational> nearer_since(const CheckedCase& known, const AnswerTerms
   return std::max(Rational(0), Rational(until * (1 - exact(next_up(share)))));
 }
 
+Rational early_until(const Query& query, const Answer& answer, const AnswerTerms& terms) {
+  const Rational until = exact(*answer.toi) + exact(terms.early_tolerance);
+  return is_past_motion(query, round_up(until)) ? Rational(1) : until;
+}
+
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
   const Query& query = known.query();
   if (answer.verdict == Verdict::kRefused) return Outcome::kNotAsked;
@@ -189,9 +194,9 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   if (!hit && !terms.closed_t_max && known.is_clear_before_t_max()) return Outcome::kCorrect;
   if (!known.is_clear()) return Outcome::kUnknown;
   if (!hit) return Outcome::kCorrect;
-  const std::optional<Rational> later = known.contact_by();
-  if (compare(terms.early_tolerance, 0) > 0 && later &&
-      *later <= exact(*answer.toi) + exact(terms.early_tolerance)) {
+  const Rational allowed = early_until(query, answer, terms);
+  const bool may_be_early = compare(terms.early_tolerance, 0) > 0;
+  if (const auto later = known.contact_by(); may_be_early && later && *later <= allowed) {
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
@@ -201,10 +206,14 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
             return are_far(query, shown, exact(*answer.toi), terms.space_tolerance);
           },
           *known.clearance());
-      return are_shown_far ? Outcome::kFalsePositive : Outcome::kUnknown;
+      if (!are_shown_far) return Outcome::kUnknown;
+    } else {
+      if (!answer.has_uv) return Outcome::kUnknown;
+      if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
     }
-    if (!answer.has_uv) return Outcome::kUnknown;
-    if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
+  }
+  if (may_be_early && !covers(*known.clearance(), allowed)) {
+    return Outcome::kUnknown;
   }
   return Outcome::kFalsePositive;
 }

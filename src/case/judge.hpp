@@ -38,14 +38,19 @@ struct AnswerTerms {
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
 ///                   at uv and toi are farther apart than the space tolerance (a uv outside of the
 ///                   domain is moved to its edge), or the certificate of bodies shows that they
-///                   are: its direction, or the gap of its plane at toi. And no contact is known to
-///                   come within the early tolerance
+///                   are: its direction, or the gap of its plane at toi. With an early tolerance,
+///                   absence is proven for so long after toi, too
 ///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
-///                   them; or the answer has a space tolerance and does not say where. Where the
-///                   terms leave t_max out, absence on [0, t_max) is enough for a miss
+///                   them. Or a hit may come within the early tolerance before a contact, or it has
+///                   a space tolerance and does not say where. Where the terms leave t_max out,
+///                   absence on [0, t_max) is enough for a miss
 ///   correct         anything else
 /// The contact counts first.
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms = {});
+
+/// Until when a contact makes an earlier hit right: the early tolerance after it, but no longer
+/// than the patches move.
+Rational early_until(const Query& query, const Answer& answer, const AnswerTerms& terms);
 
 /// How patches come to touch: the distance of the two points of a witness falls linearly, from the
 /// root of `squared` at t = 0 to 0 at `until`.
@@ -75,9 +80,27 @@ struct Judged {
   /// For a miss or late hit of bodies or linear patches, where it was asked for. It is how deep
   /// they pass through each other in the time that is overlooked, at least.
   double depth = 0;
-  /// By the terms of the answer.
-  bool in_plane = false;
-  double depth_tolerance = 0, time_tolerance = 0;
+  AnswerTerms terms = {};  ///< of the answer
+
+  /// What a row of JSON says of it, behind the case and the method. Written only.
+  static void fields(auto& archive, const Judged& judged) {
+    const Answer& answer = judged.answer;
+    const bool is_hit = answer.verdict == Verdict::kHit;
+    archive("verdict", answer.verdict);
+    archive("toi", answer.has_toi() ? answer.toi : std::nullopt);
+    archive("uv", is_hit && answer.has_uv ? std::optional(answer.uv) : std::nullopt);
+    archive("outcome", judged.outcome);
+    archive.optional("late_by", judged.late_by);
+    archive.optional("depth", judged.depth);
+    if (is_false_negative(judged.outcome)) {
+      archive.optional("depth_tolerance", judged.terms.depth_tolerance);
+      archive.optional("time_tolerance", judged.terms.time_tolerance);
+    }
+    archive("pops", answer.pops);
+    archive("seconds", answer.seconds);
+    archive.optional("error", judged.error);
+    archive.optional("note", answer.note);
+  }
 };
 /// What `origin` of a find calls these two.
 constexpr const char *kDepthAllowed = "depth_tolerance", *kTimeAllowed = "time_tolerance";

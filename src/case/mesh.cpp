@@ -120,7 +120,7 @@ void drop_unused_points(MovingPatch<double>& mesh) {
 
 std::optional<TouchedFace> touched_face(const Case& value) {
   const Truth& truth = value.truth;
-  const auto* clearance = truth.clearance ? std::get_if<MeshClearance>(&*truth.clearance) : nullptr;
+  const auto* clearance = clearance_of<MeshClearance>(truth);
   if (clearance == nullptr || truth.collides != true || !truth.witness) return std::nullopt;
   const size_t side = mesh_side(value.query);
   const std::vector<size_t> there = faces_there(value.query);

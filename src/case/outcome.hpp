@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "base/enum_names.hpp"
@@ -30,6 +29,11 @@ inline constexpr auto kAllOutcomes = all_of(Outcome{});
 /// A false negative of either kind.
 constexpr bool is_false_negative(Outcome o) {
   return o == Outcome::kMissed || o == Outcome::kLate;
+}
+
+/// Right or wrong: what rates count.
+constexpr bool is_judged(Outcome o) {
+  return o == Outcome::kCorrect || is_false_negative(o) || o == Outcome::kFalsePositive;
 }
 
 /// What counts against a method: missed, late, false_positive, error.

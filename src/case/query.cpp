@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <span>
 
 #include "base/double_parts.hpp"
@@ -58,71 +57,94 @@ bool is_hull(const MovingPatch<double>& patch) {
   return patch.shape.kind == ShapeKind::kHull;
 }
 
-bool has_valid_radius(const MovingPatch<double>& patch) {
-  return is_hull(patch) ? is_not_negative(patch.radius) : is_zero(patch.radius);
-}
+using Fault = std::optional<InputError>;
 
-bool has_valid_weights(const MovingPatch<double>& patch) {
-  if (patch.weights.empty()) return true;
-  return !is_hull(patch) && patch.weights.size() == patch.positions.size() &&
-         are_weights(patch.weights);
-}
-
-Result<void> validate_weights(const MovingPatch<double>& patch, const std::string& where) {
-  if (has_valid_weights(patch)) return {};
-  if (is_hull(patch)) return input_error(where, "a hull has none");
-  if (patch.weights.size() != patch.positions.size()) {
-    return input_error(where, fmt::format("{} needs {} weights, not {}", to_text(patch.shape),
-                                          patch.positions.size(), patch.weights.size()));
-  }
-  for (size_t i = 0; i < patch.weights.size(); ++i) {
-    const double w = patch.weights[i];
-    if (is_finite(w) && compare(w, 0) > 0) continue;
-    return input_error(fmt::format("{}[{}]", where, i),
-                       fmt::format("{} is not a finite number > 0", w));
-  }
-  return input_error(where, spread_of_weights());
-}
-
-Result<void> validate_shape(const Shape& shape, const std::string& where) {
-  if (shape.valid()) return {};
+Fault fault_of(const Shape& shape) {
+  if (shape.valid()) return std::nullopt;
   switch (shape.kind) {
     case ShapeKind::kPoint:
-      return input_error(where, fmt::format("a point with the degrees {} and {}, which must be 0",
-                                            shape.n, shape.m));
+      return InputError{
+          "", fmt::format("a point with the degrees {} and {}, which must be 0", shape.n, shape.m)};
     case ShapeKind::kCurve:
     case ShapeKind::kTriangle:
       if (shape.m == 0) break;
-      return input_error(where, fmt::format("{} with a second degree {}, which must be 0",
-                                            to_text(shape), shape.m));
+      return InputError{
+          "", fmt::format("{} with a second degree {}, which must be 0", to_text(shape), shape.m)};
     case ShapeKind::kTensor:
       break;
     case ShapeKind::kHull:
-      return input_error(where, fmt::format("{}, {}: a hull has 1..{} points, and no second number",
-                                            shape.n, shape.m, kMaxControls));
+      return InputError{"", fmt::format("{}, {}: a hull has 1..{} points, and no second number",
+                                        shape.n, shape.m, kMaxControls)};
     default:
-      return input_error(where, fmt::format("kind {} is none of 0 (point) to 4 (hull)",
-                                            static_cast<int>(shape.kind)));
+      return InputError{"", fmt::format("kind {} is none of 0 (point) to 4 (hull)",
+                                        static_cast<int>(shape.kind))};
   }
-  return input_error(where,
-                     fmt::format("{} has a degree outside 1..{}", to_text(shape), kMaxDegree));
+  return InputError{"", fmt::format("{} has a degree outside 1..{}", to_text(shape), kMaxDegree)};
 }
 
-Result<void> validate_points(const Points<double>& points, const Shape& shape, size_t count,
-                             const std::string& where) {
+/// What is wrong with positions, velocities or ends.
+Fault fault_of(const Points<double>& points, const Shape& shape, size_t count, const char* field) {
   if (points.size() != count) {
-    return input_error(where, fmt::format("{} needs {} control points, not {}", to_text(shape),
-                                          count, points.size()));
+    return InputError{field,
+                      fmt::format("has {}; {} needs {}", points.size(), to_text(shape), count)};
   }
-  for (size_t i = 0; i < points.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      if (!is_finite(points[i][k])) {
-        return input_error(fmt::format("{}[{}][{}]", where, i, k),
-                           fmt::format("{} is not finite", points[i][k]));
-      }
+  FiniteScan scan;
+  for (const Vec3<double>& p : points) scan.add(p);
+  if (scan.all_finite()) return std::nullopt;
+  size_t at = 0;  // of a number
+  while (is_finite(points[at / 3][static_cast<int>(at % 3)])) ++at;
+  return InputError{fmt::format("{}[{}][{}]", field, at / 3, at % 3),
+                    fmt::format("{} is not finite", points[at / 3][static_cast<int>(at % 3)])};
+}
+
+Fault fault_of_weights(const MovingPatch<double>& patch) {
+  const std::vector<double>& weights = patch.weights;
+  if (weights.empty()) return std::nullopt;
+  if (is_hull(patch)) return InputError{"weights", "a hull has none"};
+  if (weights.size() != patch.positions.size()) {
+    return InputError{"weights", fmt::format("{} needs {} weights, not {}", to_text(patch.shape),
+                                             patch.positions.size(), weights.size())};
+  }
+  if (are_weights(weights)) return std::nullopt;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    if (is_finite(weights[i]) && compare(weights[i], 0) > 0) continue;
+    return InputError{fmt::format("weights[{}]", i),
+                      fmt::format("{} is not a finite number > 0", weights[i])};
+  }
+  const auto [least, most] = std::ranges::minmax_element(weights);
+  return InputError{
+      "weights",
+      fmt::format("has binary exponents that differ by more than {}: {} at [{}] and {} "
+                  "at [{}]",
+                  kWeightBits, *least, least - weights.begin(), *most, most - weights.begin())};
+}
+
+/// What is wrong with one patch, in which of its fields.
+Fault fault_of(const MovingPatch<double>& patch) {
+  if (Fault fault = fault_of(patch.shape)) return fault;
+  const auto count = static_cast<size_t>(patch.shape.control_count());
+  if (Fault fault = fault_of(patch.positions, patch.shape, count, "positions")) return fault;
+  if (patch.has_ends() && !patch.velocities.empty()) {
+    return InputError{"", "has velocities and ends, and may have one of them"};
+  }
+  const size_t moves = is_hull(patch) ? 1 : count;
+  const char* const field = patch.has_ends() ? "ends" : "velocities";
+  if (Fault fault = fault_of(patch.moves(), patch.shape, moves, field)) return fault;
+  if (is_hull(patch) && patch.has_ends()) return InputError{"ends", "a hull has a velocity"};
+  if (!(is_hull(patch) ? is_not_negative(patch.radius) : is_zero(patch.radius))) {
+    const char* accepted = is_hull(patch) ? "a finite number ≥ 0" : "0, as of all but hulls";
+    return InputError{"radius", fmt::format("{} is not {}", patch.radius, accepted)};
+  }
+  if (patch.turn) {
+    const char* const turn = patch.turn->is_spin() ? "spin" : "turn";
+    if (!is_hull(patch)) return InputError{turn, "only a hull turns"};
+    if (const Fault fault = fault_of(*patch.turn)) {
+      return InputError{fmt::format("{}.{}", turn, fault->where), fault->what};
     }
   }
-  return {};
+  if (Fault fault = fault_of_faces(patch)) return fault;
+  if (Fault fault = fault_of_weights(patch)) return fault;
+  return fault_of(patch.trim, patch.shape);
 }
 
 }  // namespace
@@ -140,31 +162,22 @@ bool are_weights(const std::vector<double>& weights) {
          top(most) - top(least) <= kWeightBits;
 }
 
-std::string spread_of_weights() {
-  return fmt::format("has binary exponents that differ by more than {}", kWeightBits);
-}
-
-bool is_valid(const Query& query) {
-  const auto is_patch = [](const MovingPatch<double>& patch) {
-    if (!patch.shape.valid()) return false;
-    const auto count = static_cast<size_t>(patch.shape.control_count());
-    const Points<double>& moves = patch.moves();
-    if (is_hull(patch)) {
-      if (patch.positions.size() != count || moves.size() != 1 || patch.has_ends()) return false;
-    } else if (patch.positions.size() != count || moves.size() != count) {
-      return false;
+std::optional<InputError> fault_of(const Query& query) {
+  for (size_t p = 0; p < 2; ++p) {
+    if (const Fault fault = fault_of(query.patches[p])) {
+      const char* const dot = fault->where.empty() ? "" : ".";
+      return InputError{fmt::format("patches[{}]{}{}", p, dot, fault->where), fault->what};
     }
-    if (patch.has_ends() && !patch.velocities.empty()) return false;
-    if (!has_valid_radius(patch) || !has_valid_weights(patch)) return false;
-    if (patch.turn && (!is_hull(patch) || fault_of(*patch.turn))) return false;
-    FiniteScan scan;
-    for (const Vec3<double>& p : patch.positions) scan.add(p);
-    for (size_t i = 0; i < moves.size(); ++i) scan.add(moves[i]);
-    return scan.all_finite() && !fault_of_faces(patch) && !fault_of(patch.trim, patch.shape);
-  };
-  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
-         is_not_negative(query.separation) && !is_past_motion(query, query.t_max) &&
-         !fault_of_pair(query.patches);
+  }
+  if (Fault fault = fault_of_pair(query.patches)) return fault;
+  for (const auto& [field, x] :
+       {std::pair("t_max", query.t_max), {"separation", query.separation}}) {
+    if (is_not_negative(x)) continue;
+    return InputError{field, fmt::format("{} is not a finite number ≥ 0", x)};
+  }
+  if (!is_past_motion(query, query.t_max)) return std::nullopt;
+  return InputError{"t_max",
+                    fmt::format("{} is past 1, where {}", query.t_max, end_of_motion(query))};
 }
 
 bool has_ends(const Query& query) {
@@ -241,52 +254,8 @@ std::optional<Query> with_velocities(const Query& query) {
 }
 
 Result<void> validate(const Query& query, const std::string& where) {
-  if (is_valid(query)) return {};
-  for (size_t p = 0; p < 2; ++p) {
-    const MovingPatch<double>& patch = query.patches[p];
-    const std::string path = fmt::format("{}patches[{}]", where, p);
-    CCDFUZZ_TRY_VOID(validate_shape(patch.shape, path));
-    const auto count = static_cast<size_t>(patch.shape.control_count());
-    CCDFUZZ_TRY_VOID(validate_points(patch.positions, patch.shape, count, path + ".positions"));
-    if (patch.has_ends() && !patch.velocities.empty()) {
-      return input_error(path, "has velocities and ends, and may have one of them");
-    }
-    const char* const field = patch.has_ends() ? ".ends" : ".velocities";
-    CCDFUZZ_TRY_VOID(
-        validate_points(patch.moves(), patch.shape, is_hull(patch) ? 1 : count, path + field));
-    if (is_hull(patch) && patch.has_ends()) {
-      return input_error(path + ".ends", "a hull has a velocity");
-    }
-    if (!has_valid_radius(patch)) {
-      const char* accepted = is_hull(patch) ? "a finite number ≥ 0" : "0, as of all but hulls";
-      return input_error(path + ".radius", fmt::format("{} is not {}", patch.radius, accepted));
-    }
-    const char* const turn = patch.turn && patch.turn->is_spin() ? ".spin" : ".turn";
-    if (patch.turn && !is_hull(patch)) return input_error(path + turn, "only a hull turns");
-    if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
-      return input_error(fmt::format("{}{}.{}", path, turn, fault->where), fault->what);
-    }
-    if (const auto fault = fault_of_faces(patch)) {
-      return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
-    }
-    CCDFUZZ_TRY_VOID(validate_weights(patch, path + ".weights"));
-    if (const auto fault = fault_of(patch.trim, patch.shape)) {
-      return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
-    }
-  }
-  if (const auto fault = fault_of_pair(query.patches)) {
-    return input_error(where + fault->where, fault->what);
-  }
-  const auto refuse = [&](const char* field, double x) {
-    return input_error(where + field, fmt::format("{} is not a finite number ≥ 0", x));
-  };
-  if (!is_not_negative(query.t_max)) return refuse("t_max", query.t_max);
-  if (!is_not_negative(query.separation)) return refuse("separation", query.separation);
-  if (is_past_motion(query, query.t_max)) {
-    return input_error(where + "t_max",
-                       fmt::format("{} is past 1, where {}", query.t_max, end_of_motion(query)));
-  }
-  return {};
+  const Fault fault = fault_of(query);
+  return fault ? input_error(where + fault->where, fault->what) : Result<void>();
 }
 
 }  // namespace ccdfuzz

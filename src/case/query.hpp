@@ -97,8 +97,6 @@ bool is_trimmed(const Query& query);
 inline constexpr int kWeightBits = 60;
 /// All finite, > 0 and of such exponents.
 bool are_weights(const std::vector<double>& weights);
-/// What is wrong with weights of other exponents.
-std::string spread_of_weights();
 
 /// The weights of a rational patch times the power of two that brings the largest into [1, 2),
 /// exactly. Other patches have none. shift, if given, gets the exponent.
@@ -118,12 +116,13 @@ inline Vec3<double> rounded_velocity(const MovingPatch<double>& patch, size_t i)
 /// Gives a patch with velocities the ends positions + velocities, each rounded, in their place.
 void give_rounded_ends(MovingPatch<double>& patch);
 
-/// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
-/// Errors: the field that is wrong, its value, and what it may be.
+/// What is wrong with a query of any bits, in which of its fields, with its value and what it may
+/// be; nullopt if nothing is. Allocates nothing then, but for trims and turns.
+std::optional<InputError> fault_of(const Query& query);
+inline bool is_valid(const Query& query) {
+  return !fault_of(query);
+}
+/// The same as an error; `where` is the path of the query in its file.
 Result<void> validate(const Query& query, const std::string& where);
-
-/// True iff validate accepts the query, whatever its bits. Allocates nothing, but for trims and
-/// turns.
-bool is_valid(const Query& query);
 
 }  // namespace ccdfuzz

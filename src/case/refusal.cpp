@@ -14,23 +14,23 @@ bool is_precision(double x) {
 
 }  // namespace
 
-bool is_question(const Query& query, double precision, double max_seconds) {
-  return is_precision(precision) && !is_nan(max_seconds) && is_valid(query);
+bool is_question(const Query& query, const SearchOptions& options) {
+  return is_precision(options.precision) && !is_nan(options.max_seconds) && is_valid(query);
 }
 
-bool is_taken(const Query& query, double precision, double max_seconds) {
-  return !is_of_bodies(query) && is_question(query, precision, max_seconds);
+bool is_taken(const Query& query, const SearchOptions& options) {
+  return !is_of_bodies(query) && is_question(query, options);
 }
 
-Answer refusal(const Query& query, double precision, double max_seconds) {
+Answer refusal(const Query& query, const SearchOptions& options) {
   Answer answer;
   answer.verdict = Verdict::kRefused;
   if (const Result<void> valid = validate(query, ""); !valid) {
     answer.note = valid.error().message();
-  } else if (!is_precision(precision)) {
-    answer.note = fmt::format("precision: {} is not in (0, 1]", precision);
-  } else if (is_nan(max_seconds)) {
-    answer.note = fmt::format("max_seconds: {} is not a number", max_seconds);
+  } else if (!is_precision(options.precision)) {
+    answer.note = fmt::format("precision: {} is not in (0, 1]", options.precision);
+  } else if (is_nan(options.max_seconds)) {
+    answer.note = fmt::format("max_seconds: {} is not a number", options.max_seconds);
   } else {
     answer.note = kNoBodies;
   }

@@ -5,7 +5,8 @@
 namespace ccdfuzz {
 
 /// Upper envelope on w (Step II, Eqs. 5–6): the lines that are the maximum somewhere, in the order
-/// of time. Requires sorted lines, at least one, finite, and 0 ≤ w.lo ≤ w.hi.
+/// of time. Requires sorted lines, at least one, finite, and w.lo ≤ w.hi. A window may
+/// begin before 0 (Reading::window_margin), but not where lines are raised by envelope_error.
 /// A lower envelope is the negated upper envelope of the negated lines, so there is no other code.
 /// Safe, for exact S: equal to the maximum everywhere on w. For double it is what Policy makes it;
 /// its lines are among those given. ErrorBound claims that raising them by envelope_error leaves it

@@ -26,7 +26,7 @@ struct ProductDifference {
   }
 };
 
-/// slope·t + intercept at an end t ≥ 0 of the window (Eqs. 5b, 6, 7, 8b, 9b): k = max(1+1, 1) + 1.
+/// slope·t + intercept at an end t of the window (Eqs. 5b, 6, 7, 8b, 9b): k = max(1+1, 1) + 1.
 template <class S>
 struct EndValue {
   S slope, intercept, t;

@@ -16,21 +16,11 @@
 #include "case/answer.hpp"
 #include "case/query.hpp"
 #include "case/refusal.hpp"
-#include "ccd/search_options.hpp"
+#include "case/search_options.hpp"
 #include "ccd/search_queue.hpp"
 #include "ccd/time_interval.hpp"
 
 namespace ccdfuzz {
-
-inline bool is_taken(const Query& query, const SearchOptions& options) {
-  return is_taken(query, options.precision, options.max_seconds);
-}
-inline bool is_question(const Query& query, const SearchOptions& options) {
-  return is_question(query, options.precision, options.max_seconds);
-}
-inline Answer refusal(const Query& query, const SearchOptions& options) {
-  return refusal(query, options.precision, options.max_seconds);
-}
 
 /// The wall-time budget of one query. The clock is read after some work, counted in control points
 /// of tested cells. Then reading costs below 1 %, and no 20 ms pass between two readings: where

@@ -6,7 +6,6 @@
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
-#include "cli/check_command.hpp"
 #include "cli/check_inputs.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "cli/terminal.hpp"
+#include "cli/output.hpp"
 #include "hunt/served_claim.hpp"
 
 namespace ccdfuzz {

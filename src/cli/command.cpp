@@ -255,7 +255,7 @@ Option Command::allow_plugins() {
              "spelled as in the file",
              "",
              [](const std::string& where, const std::string& text) {
-               for (const std::string& spec : need_at(where, parse_method_list(text))) {
+               for (const std::string& spec : need(parse_list(where, text, parse_method))) {
                  if (names_plugin(spec)) continue;
                  throw BadInput{
                      {where, fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec)}};
@@ -369,6 +369,7 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     session_->asked = asked_of(command);
     refuse_unasked_plugins(command);
     code = chosen_();
+    if (session_->refused()) std::rethrow_exception(session_->refused());
   } catch (const BadInput& bad) {
     session_->end_table();
     error = bad.error;

@@ -139,6 +139,16 @@ class Command {
                       value = need(parse(where, text));
                     });
   }
+  /// The same of each item of a list (parse_list).
+  template <class Value, class T>
+  Option list(const std::string& name, Value& values, const std::string& description,
+              Result<T> (*parse)(const std::string& where, const std::string& item),
+              const std::string& standard = "") {
+    return add_text(name, description, standard,
+                    [&values, parse](const std::string& where, const std::string& text) {
+                      values = need(parse_list(where, text, parse));
+                    });
+  }
   /// One of the names of an enumeration's values.
   template <class Value, class E = ValueIn<Value>>
   Option choice(const std::string& name, Value& value, const std::string& description) {

@@ -3,23 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
+#include "generators/draw/choice_bytes.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-Result<std::vector<std::string>> parse_methods(const std::string& where, const std::string& text) {
-  return parse_method_list(text).map_error([&](const InputError& error) {
-    return InputError{where, error.what};
-  });
-}
 
 Result<double> parse_precision(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double width) -> Result<double> {
@@ -44,6 +40,15 @@ Result<Shape> parse_shape(const std::string& where, const std::string& text) {
 
 }  // namespace
 
+void refuse_input(const char* option, const std::string& output,
+                  const std::vector<std::string>& inputs, const char* what) {
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(input, output, none)) continue;
+    throw BadInput{{option, fmt::format("{} is one of the {}", output, what)}};
+  }
+}
+
 Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text) {
   const size_t comma = text.find(',');
   CCDFUZZ_TRY(const Shape first, parse_shape(where, text.substr(0, comma)));
@@ -61,8 +66,8 @@ std::vector<std::string> default_methods() {
 std::vector<Option> add_methods(Command& command, std::vector<std::string>& methods,
                                 const std::string& description) {
   Option plugins = command.plugin_names();
-  Option asked = command.parsed("--methods LIST", methods, description, &parse_methods,
-                                fmt::format("{}", fmt::join(methods, ",")));
+  Option asked = command.list("--methods LIST", methods, description, &parse_method,
+                              fmt::format("{}", fmt::join(methods, ",")));
   return {plugins, asked.in("Methods")};
 }
 
@@ -167,6 +172,26 @@ std::string to_text(const NotAllowed& left_out) {
   return text;
 }
 
+std::string check_command(const std::string& property, const std::string& method,
+                          const std::string& on) {
+  const std::string words = method.empty() ? "" : method_words(std::vector<std::string>{method});
+  return fmt::format("{} check {}{} {}", shell_word(program_name()), property, words, on);
+}
+
+std::string words_of(const ChoiceNumbers& choices) {
+  return "--choices " + to_word(choices);
+}
+
+std::string words_of(std::uint64_t seed, std::uint64_t index) {
+  return fmt::format("--seed {} --first {} --count 1", seed, index);
+}
+
+std::string reproduction(const ClaimFind& find) {
+  return find.shrunk == Shrunk::kNot
+             ? find.as_found
+             : check_command(find.property, find.method, words_of(find.choices));
+}
+
 Option add_shard(Command& command, std::string& shard) {
   return command.text("--shard I/N", shard,
                       "Only share I of N, from 0 to N - 1; `merge` joins the shares");
@@ -188,32 +213,6 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
                        fmt::format("{}: more shares than there are {}, {}", text, what, total));
   }
   return Shard{*index, *of};
-}
-
-void CaseCount::add(const Case& value) {
-  ++cases;
-  const Truth& truth = value.truth;
-  const bool says_so = truth.collides ? !*truth.collides : truth.clear_until.has_value();
-  if (says_so && !truth.clearance) ++by_word;
-  const auto& more = value.origin.more;
-  if (const auto label = more.find("label"); label != more.end() && truth.collides) {
-    ++labels;
-    if ((label->second == "1") != *truth.collides) ++wrong_labels;
-  }
-}
-
-void CaseCount::note(Session& session) const {
-  if (by_word > 0) {
-    session.remark(
-        "{} of {} cases have no contact by the word of a method alone: their outcome is unknown "
-        "(`ccdfuzz prove` gives proofs)",
-        by_word, cases);
-  }
-  if (wrong_labels > 0) {
-    session.remark(
-        "{} of {} labels are not the truth of what was asked (`ccdfuzz import` lists them)",
-        wrong_labels, labels);
-  }
 }
 
 }  // namespace ccdfuzz

@@ -13,6 +13,7 @@
 #include "ccd/search.hpp"
 #include "cli/command.hpp"
 #include "files/case_files.hpp"
+#include "finds/claim_find.hpp"
 #include "io/table.hpp"
 
 namespace ccdfuzz {
@@ -62,27 +63,29 @@ Table::Column method_column();
 /// "1 case", "2 cases".
 std::string counted(std::uint64_t count, const char* one, const char* many);
 
+/// The command that runs a property on what follows: choices, or one draw. method: that of a claim
+/// about() one; otherwise empty.
+std::string check_command(const std::string& property, const std::string& method,
+                          const std::string& on);
+/// The options that are these choices, or one draw.
+std::string words_of(const ChoiceNumbers& choices);
+std::string words_of(std::uint64_t seed, std::uint64_t index);
+
+/// One command that shows what a find was shrunk to, or what failed first.
+std::string reproduction(const ClaimFind& find);
+
 /// --shard, by default the complete run.
 Option add_shard(Command& command, std::string& shard);
 /// "i/n", of at most `total` shards, so that none is empty. Errors: anything else.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 
+/// Throws BadInput, naming the option, if the output is one of the inputs, which are `what`: it
+/// would be lost.
+void refuse_input(const char* option, const std::string& output,
+                  const std::vector<std::string>& inputs, const char* what);
+
 /// Reads one shape for both patches, or one for each with a comma between: "point", "curve:N",
 /// "triangle:N", "tensor:NxM", degrees 1 to kMaxDegree. Errors: anything else, naming `where`.
 Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text);
-
-/// Counts of the cases that a command was given.
-struct CaseCount {
-  std::uint64_t cases = 0;
-  /// Cases whose absence of contact, up to t_max or else up to clear_until, has no proof but the
-  /// word of a method. Nothing is judged by it.
-  std::uint64_t by_word = 0;
-  /// With a truth and a label of a query CSV; of them, those whose label says otherwise.
-  std::uint64_t labels = 0, wrong_labels = 0;
-
-  void add(const Case& value);
-  /// Says on stderr what is not as it should be.
-  void note(Session& session) const;
-};
 
 }  // namespace ccdfuzz

@@ -1,18 +1,29 @@
 #include "cli/data_set.hpp"
 
+#include <fmt/format.h>
+
 namespace ccdfuzz {
 
-void MadeSet::add(MadeCases made) {
+CaseWriter data_set_writer(const std::string& path) {
+  CaseWriter writer = need(CaseWriter::open(path));
+  if (!is_stream(path)) need(refuse_read_only(costs_path(path)));
+  leave_stdout_to(path);
+  return writer;
+}
+
+void finish_data_set(CaseWriter& cases, const std::string& path,
+                     const std::vector<GenerationCost>& costs) {
+  need(cases.complete());
+  need(write_costs(path, costs));
+  need(cases.finish());  // last: where the cases are, all is
+}
+
+void MadeSet::add(const MadeCases& made) {
   add_cost(costs, made.cost);
-  const std::string tree = parse_hex_bytes(made.tree).value();
-  for (Case& value : made.cases) {
-    if (!tree.empty()) {
-      value.truth.clearance = MissTree{exact(value.query.t_max), {}};
-      value.truth.proof = proof_word(*value.truth.clearance);
-      ++trees;
-    }
+  for (const Case& value : made.cases) {
+    if (clearance_of<MissTree>(value.truth) != nullptr) ++trees;
     count.add(value);
-    writer.write(std::move(value), tree);
+    need(writer.write(value));
   }
 }
 

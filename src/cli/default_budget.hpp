@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 
 #include "case/answer.hpp"
-#include "ccd/search_options.hpp"
+#include "case/search_options.hpp"
+#include "cli/command.hpp"
 #include "files/case_files.hpp"
 
 namespace ccdfuzz {
@@ -37,18 +37,16 @@ class DefaultBudget {
     ++answers_;
     source_.add(named);
   }
-  bool is_spent() const {
+  /// Throws BadInput if nothing is left for this case, the next one of the run.
+  void begin(const NamedCase& named) const {
     const std::uint64_t credit =
         std::min(answers_ * kCreditOfAnAnswer, source_.times(kCreditOfAByte));
-    return work_ >= kWorkOfARun + credit;
-  }
-
-  /// The error of a run that ends before this case.
-  static InputError spent_before(const std::string& id) {
-    return {id,
-            "this case and all after it are left undecided: the default budget of a run, about 20 "
-            "s of counted work and, for each answer, 0.05 s or 1 ms a byte of its file, is spent; "
-            "--max-pops N sets one for each answer instead"};
+    if (work_ < kWorkOfARun + credit) return;
+    throw BadInput{
+        {named.id,
+         "this case and all after it are left undecided: the default budget of a run, about 20 "
+         "s of counted work and, for each answer, 0.05 s or 1 ms a byte of its file, is spent; "
+         "--max-pops N sets one for each answer instead"}};
   }
 
  private:

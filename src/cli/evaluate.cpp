@@ -1,12 +1,11 @@
 #include "eval/evaluate.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/number_text.hpp"
-#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
@@ -34,18 +33,11 @@ struct EvaluateArguments {
   bool by_class = false;
 };
 
-Result<std::vector<double>> parse_horizons(const std::string& where, const std::string& text) {
-  CCDFUZZ_TRY(std::vector<double> factors, parse_numbers(where, text));
-  for (const double factor : factors) {
-    if (factor < 1) {
-      return input_error(where,
-                         fmt::format("{} is below 1: the contact would be out of reach", factor));
-    }
-    if (std::ranges::count(factors, factor) > 1) {
-      return input_error(where, fmt::format("{} stands there twice", factor));
-    }
-  }
-  return factors;
+Result<double> parse_horizon(const std::string& where, const std::string& text) {
+  CCDFUZZ_TRY(const double factor, parse_number(where, text));
+  if (factor >= 1) return factor;
+  return input_error(where,
+                     fmt::format("{} is below 1: the contact would be out of reach", factor));
 }
 
 /// Reads the files once, to know which cases they hold. Another build of a plug-in is another run.
@@ -73,29 +65,15 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
                       const EvaluateArguments& arguments, std::uint64_t cases) {
   const std::vector<Row> methods = by_methods(rows);
   if (!arguments.by_class) {
-    std::vector<Row> shown;
-    std::vector<std::string> unasked;
-    for (const Row& row : methods) {
-      if (row.tally.n == 0 && row.tally.not_asked() > 0) {
-        unasked.push_back(row.key.method);
-        continue;
-      }
-      shown.push_back(row);
-      shown.back().key.method = marked(row.key.method);
-    }
-    if (!shown.empty()) {
-      print_table(methods_table(shown));
-      print_out("\n");
-    }
-    if (!unasked.empty()) {
-      const std::string list = fmt::format("Refused every query: {}", fmt::join(unasked, ", "));
-      print_out(wrapped(list, 2) + "\n");
-    }
+    std::vector<Row> shown = methods;
+    for (Row& row : shown) row.key.method = marked(row.key.method);
+    print_table(methods_table(shown));
+    print_out("\n");
   } else {
-    for (const auto& [title, table] : evaluation_tables(rows, costs)) {
+    for (const auto& [title, table, note] : evaluation_tables(rows, costs)) {
       print_out(fmt::format("{}:\n", title));
       print_table(table);
-      print_out("\n");
+      print_out(note + "\n");
     }
   }
   print_out(column_notes(methods));
@@ -104,28 +82,30 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
               "By class, and beside the paper's tables: --by-class\n");
   }
   std::uint64_t contacts = 0, absences = 0, queries = 0;
+  bool ask_all = true;
   for (const Row& row : methods) {
     contacts = std::max(contacts, row.tally.positives);
     absences = std::max(absences, row.tally.negatives);
     queries = std::max(queries, row.tally.n);
+    ask_all = ask_all && row.tally.not_asked() == 0;
   }
-  print_out(fmt::format("{}, {} a method: {} with a contact, {} without, {} not proven\n",
-                        counted(cases, "case", "cases"), counted(queries, "query", "queries"),
-                        contacts, absences, queries - contacts - absences));
+  print_out(fmt::format("{}, {}{} a method: {} with a contact, {} without, {} not proven\n",
+                        counted(cases, "case", "cases"), ask_all ? "" : "at most ",
+                        counted(queries, "query", "queries"), contacts, absences,
+                        queries - contacts - absences));
 }
 
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   EvaluateOptions options = arguments.how;
-  options.threads = session.threads;
   options.search_for = [&](const Case& value) { return arguments.search.options_for(value); };
   const std::vector<std::string> files = need(case_files(arguments.files));
+  Shard shard;
   std::optional<RunFile> kept;
   std::optional<RunLines> earlier;
   const std::string answers = answers_path(arguments.folder);
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
     RunHeader header = need(header_of(files, options.methods, session));
-    options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
-    header.shard = options.shard;
+    shard = header.shard = need(parse_shard(arguments.shard, header.items, "cases"));
     if (!arguments.folder.empty()) {
       need(make_folder(arguments.folder));
       kept.emplace(resumed_run(header, answers, "cases"));
@@ -136,42 +116,30 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   std::optional<OutputFile> csv;
   if (!arguments.csv.empty()) {
     leave_stdout_to(arguments.csv);
-    for (const std::string& file : files) {
-      std::error_code none;
-      if (!std::filesystem::equivalent(file, arguments.csv, none)) continue;
-      throw BadInput{{"--csv", fmt::format("{} is one of the case files", arguments.csv)}};
-    }
+    refuse_input("--csv", arguments.csv, files, "case files");
     csv.emplace(need(OutputFile::create(arguments.csv)));
   }
   const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;
-  CaseCount counts;
-  RoundedNumbers rounded;
-  std::uint64_t done = 0, asked = 0;
-  need(evaluate(
-      files, options, earlier ? &*earlier : nullptr,
-      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
-        counts.add(named.value);
-        rounded.add(named.value);
-        rows.add(evaluated);
-        const double precision = options.search_for(named.value).precision;
-        if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
-        ++done;
-        session.progress().show(named.share, evaluated.contact, asked += is_new ? 1 : 0, "cases");
-        return kept && is_new ? kept->append(to_json(evaluated)) : Result<void>();
-      },
-      [&] { return session.interrupted(); }));
-  session.progress().clear();
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  session.each_case<EvaluatedCase>(
+      CasesToEvaluate(files, shard, earlier ? &*earlier : nullptr),
+      [&](CaseToEvaluate& item) { return need(evaluated(item, options, methods.local())); },
+      [&](const CaseToEvaluate& item, const EvaluatedCase& answered) {
+        rows.add(answered);
+        const double precision = options.search_for(item.value).precision;
+        if (!arguments.page.empty()) page.add(answered, item.value, precision);
+        if (kept && is_anew(item)) need(kept->append(to_json(answered)));
+      });
   int code = kDone;
   if (session.interrupted()) {
     code = session.end_early(
-        done, "cases",
+        session.counts.cases, "cases",
         kept ? "the same command goes on from there" : "the tables are of these alone");
     if (kept) return code;
   }
-  session.note(rounded);
-  counts.note(session);
+  session.note_truths();
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->rename(answers));
@@ -183,7 +151,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_row(row);
   } else {
-    print_evaluation(rows, costs, arguments, done);
+    print_evaluation(rows, costs, arguments, session.counts.cases);
   }
   // Last: what was measured is shown even if the page cannot be written.
   if (!arguments.page.empty() && !session.interrupted()) {
@@ -211,10 +179,10 @@ void add_evaluate(CommandLine& line) {
       .required();
   options->how.methods = default_methods();
   add_methods(command, options->how.methods, "Methods to run, separated by commas");
-  command.parsed("--t-max-factors LIST", options->how.horizon_factors,
-                 "Ask positive cases up to these multiples of the contact's time instead of their "
-                 "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
-                 &parse_horizons);
+  command.list("--t-max-factors LIST", options->how.horizon_factors,
+               "Ask positive cases up to these multiples of the contact's time instead of their "
+               "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
+               &parse_horizon);
   options->search.add_to(command);
   command.group("Results");
   add_shard(command, options->shard);

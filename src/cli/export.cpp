@@ -41,81 +41,101 @@ struct ExportOptions {
   bool round = false;
 };
 
-/// for_each_checked_case, and says how many numbers were rounded when they were read.
-Result<void> for_each(const std::vector<std::string>& files, Session& session,
-                      const std::function<Result<void>(const NamedCase&)>& visit) {
-  RoundedNumbers rounded;
-  const Result<void> done = for_each_checked_case(files, [&](const NamedCase& named) {
-    rounded.add(named.value);
-    return visit(named);
-  });
-  session.note(rounded);
+/// The cases of files one after the other, each checked.
+class CheckedCases {
+ public:
+  CheckedCases(const std::vector<std::string>& files, Session& session)
+      : cases_(files), session_(session) {}
+
+  /// The next case. At the end nothing; then it says how many numbers were rounded.
+  std::optional<NamedCase> next() {
+    auto named = need(next_checked(cases_));
+    named ? session_.counts.add(named->value) : session_.note_rounded();
+    return named;
+  }
+
+ private:
+  CaseStream cases_;
+  Session& session_;
+};
+
+/// The tests of cases, and how many cases have none.
+struct Exported {
+  std::uint64_t tests = 0, left_out = 0;
+
+  /// The test of a case; nothing where it has none, which is said.
+  std::optional<std::string> take(Result<std::string> test, Session& session) {
+    if (!test) session.remark("{}; it is left out", test.error().message());
+    ++(test ? tests : left_out);
+    return test ? std::optional(*std::move(test)) : std::nullopt;
+  }
+};
+
+Exported export_tests(const ExportOptions& options, TestFramework framework, Session& session) {
+  OutputFile out = need(OutputFile::create(options.output));
+  Exported done;
+  need(out.write(test_preamble(framework)));
+  CheckedCases cases(options.files, session);
+  while (const auto named = cases.next()) {
+    const auto test = done.take(test_snippet(*named, done.tests + 1, framework), session);
+    if (test) need(out.write(*test));
+  }
+  if (done.tests > 0) need(out.commit());
   return done;
 }
 
-std::string export_tests(const ExportOptions& options, TestFramework framework, Session& session) {
-  OutputFile out = need(OutputFile::create(options.output));
-  std::uint64_t count = 0;
-  need(out.write(test_preamble(framework)));
-  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
-    return test_snippet(named, ++count, framework).and_then([&](const std::string& text) {
-      return out.write(text);
-    });
-  }));
-  need(out.commit());
-  return counted(count, "test", "tests");
-}
-
 /// The rows of a case with their label: for linear queries decided from the very numbers written.
-Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t& rounded) {
+CsvQuery exported_rows(const NamedCase& named, bool round, std::uint64_t& rounded) {
   const Case& value = named.value;
   std::uint64_t own = 0;
-  CCDFUZZ_TRY(CsvQuery rows, to_csv_query(value.query, named.id, round, own));
+  CsvQuery rows = need(to_csv_query(value.query, named.id, round, own));
   rounded += own;
   if (rows.layout != CsvLayout::kCurved) {
     rows.label = linear::first_contact(rows.patches(), 1).has_value();
     return rows;
   }
   if (own > 0) {
-    return input_error(named.id,
-                       "end points are no doubles: what is known of this case would not "
-                       "be known of rounded ones");
+    throw BadInput{{named.id,
+                    "end points are no doubles: what is known of this case would not "
+                    "be known of rounded ones"}};
   }
   if (!value.truth.collides) {
-    return input_error(named.id, "has no truth to write into its rows; see prove");
+    throw BadInput{{named.id, "has no truth to write into its rows; see prove"}};
   }
   rows.label = value.truth.collides;
   return rows;
+}
+
+/// How the rows of a query are laid out. Throws BadInput: a query CSV has no place for it.
+CsvLayout layout_of(const NamedCase& named) {
+  const Query& query = named.value.query;
+  for (const auto& [has_it, what] :
+       {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
+        std::pair(is_trimmed(query), "a trim")}) {
+    if (!has_it) continue;
+    throw BadInput{{named.id, fmt::format("has {}, for which a query CSV has no place", what)}};
+  }
+  const auto layout = csv_layout_of(query);
+  if (layout) return *layout;
+  throw BadInput{{named.id,
+                  "is neither edge-edge nor vertex-face of degree 1 nor two triangles of "
+                  "degree 2"}};
 }
 
 std::string export_csv(const ExportOptions& options, Session& session) {
   OutputFile out = need(OutputFile::create(options.output));
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
-  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
-    const Query& query = named.value.query;
-    for (const auto& [has_it, what] :
-         {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
-          std::pair(is_trimmed(query), "a trim")}) {
-      if (!has_it) continue;
-      return input_error(named.id, fmt::format("has {}, for which a query CSV has no place", what));
-    }
-    const auto own = csv_layout_of(query);
-    if (!own) {
-      return input_error(named.id,
-                         "is neither edge-edge nor vertex-face of degree 1 nor two triangles of "
-                         "degree 2");
-    }
-    if (layout && *layout != *own) {
-      return input_error(named.id, fmt::format("is {}, but the file holds {} so far", name_of(*own),
-                                               name_of(*layout)));
+  CheckedCases cases(options.files, session);
+  for (; const auto named = cases.next(); ++count) {
+    const CsvLayout own = layout_of(*named);
+    if (layout && *layout != own) {
+      throw BadInput{{named->id, fmt::format("is {}, but the file holds {} so far", name_of(own),
+                                             name_of(*layout))}};
     }
     layout = own;
-    return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
-      ++count;
-      return out.write(to_csv(rows));
-    });
-  }));
+    need(out.write(to_csv(exported_rows(*named, options.round, rounded))));
+  }
   need(out.commit());
   const std::string& path = options.output;
   if (!is_stream(path) && csv_layout_of_path(path) != layout) {
@@ -132,37 +152,31 @@ std::string export_csv(const ExportOptions& options, Session& session) {
 std::string test_path(const std::string& folder, const NamedCase& named, std::string_view ending) {
   const size_t colon = named.id.rfind(':'), slash = named.id.rfind('/');
   const bool has_line = colon != named.id.npos && (slash == named.id.npos || colon > slash);
-  const std::filesystem::path name = std::filesystem::path(named.id.substr(0, colon)).filename();
-  return fmt::format("{}{}{}{}", folder, name.string().substr(0, name.string().find(".json")),
+  const std::string path = has_line ? named.id.substr(0, colon) : named.id;
+  const std::string name = std::filesystem::path(path).filename().string();
+  return fmt::format("{}{}{}{}", folder, name.substr(0, name.find(".json")),
                      has_line ? "-" + named.id.substr(colon + 1) : "", ending);
 }
 
-/// How many cases are left out, as the engine has no test of them. Nothing is written before all
-/// cases are read.
-std::uint64_t export_engine_tests(const ExportOptions& options, const EngineTemplate& engine,
-                                  Session& session) {
+/// Nothing is written before all cases are read.
+Exported export_engine_tests(const ExportOptions& options, const EngineTemplate& engine,
+                             Session& session) {
   const bool is_folder = options.output.ends_with('/');
   std::map<std::string, std::string> tests;  // by path
-  std::uint64_t left_out = 0;
-  need(for_each(options.files, session, [&](const NamedCase& named) -> Result<void> {
-    const Result<std::string> text = engine_test(named, engine.engine);
-    if (!text) {
-      session.remark("{}; it is left out", text.error().message());
-      ++left_out;
-      return {};
-    }
+  Exported done;
+  CheckedCases cases(options.files, session);
+  while (const auto named = cases.next()) {
+    const auto text = done.take(engine_test(*named, engine.engine), session);
+    if (!text) continue;
     const std::string path =
-        is_folder ? test_path(options.output, named, engine.ending) : options.output;
-    if (tests.emplace(path, *text).second) return {};
-    return input_error(named.id, is_folder ? path + " is the test of a case before it"
-                                           : "a file has one test; -o FOLDER/ takes several");
-  }));
+        is_folder ? test_path(options.output, *named, engine.ending) : options.output;
+    if (tests.emplace(path, *text).second) continue;
+    throw BadInput{{named->id, is_folder ? path + " is the test of a case before it"
+                                         : "a file has one test; -o FOLDER/ takes several"}};
+  }
   if (is_folder && !tests.empty()) need(make_folder(options.output));
   for (const auto& [path, text] : tests) need(write_file(path, text));
-  std::string summary = counted(tests.size(), "test", "tests");
-  if (left_out > 0) summary += "; left out: " + counted(left_out, "case", "cases");
-  session.summary(summary);
-  return left_out;
+  return done;
 }
 
 int run_export(const ExportOptions& options, Session& session) {
@@ -178,12 +192,16 @@ int run_export(const ExportOptions& options, Session& session) {
   leave_stdout_to(options.output);
   const auto* engine = std::get_if<EngineTemplate>(&options.as);
   const auto* framework = std::get_if<TestFramework>(&options.as);
-  if (engine != nullptr) {
-    return export_engine_tests(options, *engine, session) == 0 ? kDone : kBadInput;
+  if (engine == nullptr && framework == nullptr) {
+    session.summary(export_csv(options, session));
+    return kDone;
   }
-  session.summary(framework != nullptr ? export_tests(options, *framework, session)
-                                       : export_csv(options, session));
-  return kDone;
+  const auto [tests, left_out] = engine != nullptr ? export_engine_tests(options, *engine, session)
+                                                   : export_tests(options, *framework, session);
+  std::string summary = counted(tests, "test", "tests");
+  if (left_out > 0) summary += "; left out: " + counted(left_out, "case", "cases");
+  session.summary(summary);
+  return left_out == 0 ? kDone : kBadInput;
 }
 
 }  // namespace

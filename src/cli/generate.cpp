@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "base/hex_bytes.hpp"
 #include "base/number_text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -62,7 +61,7 @@ MadeCases made_of(const Plan& plan, std::uint64_t index) {
   for (const Discard reason : kDiscards) {
     cost.discarded.emplace_back(name_of(reason), made.discards[reason]);
   }
-  return {index, std::move(made.cases), to_hex_bytes(made.tree), std::move(cost)};
+  return {index, std::move(made.cases), std::move(cost)};
 }
 
 Plan paper_plan(const GenerateOptions& options) {
@@ -101,15 +100,15 @@ Plan plain_plan(const GenerateOptions& options) {
   }
   const GeneratorOptions g = generator_of(options);
   need(check_room(options.first, *options.count, "cases"));
-  return {*options.count, "cases", [g, first = options.first](std::uint64_t i) {
-            try {
-              Generated made = generate(g, first + i);
-              return Plan::Made{
-                  g.contact, name_of(g.kind), {{std::move(made.value)}, {}, made.discards}};
-            } catch (const NothingAccepted& none) {
-              throw BadInput{{"--eps-t", none.what()}};
-            }
-          }};
+  return {
+      *options.count, "cases", [g, first = options.first](std::uint64_t i) {
+        try {
+          Generated made = generate(g, first + i);
+          return Plan::Made{g.contact, name_of(g.kind), {{std::move(made.value)}, made.discards}};
+        } catch (const NothingAccepted& none) {
+          throw BadInput{{"--eps-t", none.what()}};
+        }
+      }};
 }
 
 /// Where the constructions go: those of a share into its run file, others into a data set; those of
@@ -123,7 +122,7 @@ struct Target {
 Target open_target(const GenerateOptions& options, const RunHeader& header) {
   Target target;
   if (header.shard.is_whole()) {
-    target.set = MadeSet{options.path(), DataSetWriter(options.path())};
+    target.set.emplace(options.path());
   }
   if (header.shard.is_whole() && !options.paper) return target;
   target.run.emplace(resumed_run(header, options.output, "constructions"));
@@ -146,7 +145,7 @@ std::uint64_t make_all(const Plan& plan, const Shard& shard, Target& target, Ses
       [&](MadeCases made) {
         const std::string note = made.cost.contact + " " + made.cost.kind;
         if (target.run) need(target.run->append(to_json(made)));
-        if (target.set) target.set->add(std::move(made));
+        if (target.set) target.set->add(made);
         const auto done = static_cast<double>(target.before + ++made_count);
         session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
       },
@@ -187,7 +186,7 @@ int run_generate(const GenerateOptions& options, Session& session) {
                                 shard.of, options.output));
     return kDone;
   }
-  target.set->writer.finish(target.set->costs);
+  target.set->finish();
   if (target.run) need(target.run->remove());
   // What plain cases cost is a remark.
   if (!options.paper && !session.json) leave_stdout_to("/dev/stdout");
@@ -208,7 +207,7 @@ void add_generate(CommandLine& line) {
       "--kind KIND", options->kind,
       "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: "
       "as RP, but they graze. NMN: as NHP, but they just miss. NMN, and RN of the paper's "
-      "construction and of trimmed patches, have no certificate: `prove` makes it");
+      "construction and of some trimmed patches, have no certificate: `prove` makes it");
   const Option count = command.whole("--count", options->count, "How many cases", 1);
   const Option first = command.whole("--first", options->first, "Index of the first case");
   command.whole("--seed", options->generator.seed, "Seed of the data set");

@@ -65,7 +65,7 @@ std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
   std::ranges::sort(finds, {}, [](const Find* find) {
     const Failure& failure = find->failure;
     return std::tuple(!breaks_claim(failure), failure.outcome == Outcome::kFalsePositive,
-                      failure.setting, -find->depth, find);
+                      failure.setting, -find->judged.depth, find);
   });
   return finds;
 }
@@ -84,7 +84,8 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
   for (const Find* find : finds) {
     const auto [known, is_first] = others.try_emplace(alike(*find));
     if (is_first) first.push_back(find);
-    if (!is_first) known->second.push_back(find->failure.contact);
+    const std::string& contact = find->failure.contact;
+    if (!is_first) known->second.push_back(contact.empty() ? "of no class" : contact);
   }
   std::optional<bool> group;
   for (size_t i = 0; i < std::min(first.size(), kMost); ++i) {
@@ -95,8 +96,9 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
     }
     group = breaks;
     std::string text = std::filesystem::path(find.path).filename().string();
-    text += depth_text(find.depth, find.depth_tolerance);
-    if (find.late_by > 0) text += fmt::format(", late by {:.2g}", find.late_by);
+    text += depth_text(find.judged.depth, find.judged.terms.depth_tolerance);
+    const double late_by = find.judged.late_by;
+    if (late_by > 0) text += fmt::format(", late by {:.2g}", late_by);
     const std::vector<std::string>& classes = others.at(alike(find));
     if (!classes.empty()) {
       text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
@@ -167,9 +169,9 @@ void print_report_json(const HuntReport& report) {
       row("new", find.is_new);
       Failure::fields(row, find.failure);
       row("breaks_claim", breaks_claim(find.failure));
-      row.optional("depth", find.depth);
-      row.optional("depth_tolerance", find.depth_tolerance);
-      row.optional("late_by", find.late_by);
+      row.optional("depth", find.judged.depth);
+      row.optional("depth_tolerance", find.judged.terms.depth_tolerance);
+      row.optional("late_by", find.judged.late_by);
       row("kind", find.value.origin.kind);
       row("generator", find.value.origin.generator);
       row("expect", find.value.expect);
@@ -233,9 +235,6 @@ std::vector<std::string> methods_by_default() {
 
 /// Throws BadInput where an option would change nothing, or leave nothing to draw.
 void check_meant(const HuntGround& asked, const HuntGround& ground) {
-  if (asked.plane && !ground.bodies) {
-    throw BadInput{{"--plane", "is for bodies, and this hunt is of patches: add --bodies"}};
-  }
   if (asked.uniform && !ground.bodies && ground.shapes && !ground.are_linear()) {
     throw BadInput{{"--uniform", "is for bodies or linear patches, and --shape names others"}};
   }
@@ -354,8 +353,6 @@ void add_hunt(CommandLine& line) {
             "built-in methods, oracle alone takes bodies, and is then the default")
       .excludes(shape)
       .excludes(linear);
-  command.flag("--plane", hunt.ground.plane,
-               "Only bodies in the plane z = 0, as 2-D engines have them; with --bodies");
   command.flag("--binary32", hunt.ground.binary32,
                "Only queries whose numbers are all floats, minimised ones too. So is what bodies "
                "move by");

@@ -151,7 +151,8 @@ Table hunt_table(const std::vector<HuntCell>& of_classes, bool by_class) {
   columns.push_back(
       {{"drawn"}, [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }});
   add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kUndecided}, false);
-  add_outcomes(columns, met_in(cells, {Outcome::kError, Outcome::kFalsePositive}), false);
+  add_outcomes(columns,
+               met_in(cells, {Outcome::kError, Outcome::kFalsePositive, Outcome::kUnknown}), false);
   add_refused_column(columns, cells);
   columns.push_back(mean_column());
   if (std::ranges::any_of(cells, [](const HuntCell& cell) { return cell.beside.count() > 0; })) {

@@ -86,14 +86,16 @@ int run_import(const ImportOptions& options, Session& session) {
   if (!options.csv.truths.empty() && files.size() > 1) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
-  DataSetWriter writer(options.output);
+  CaseWriter writer = data_set_writer(options.output);
+  CsvOptions csv = options.csv;
+  csv.round_ways = csv.round;
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
                        {"in the file", Align::kLeft},
                        {"as rounded", Align::kLeft}});
   ImportCounts counts;
   session.each_case<ImportedRow>(
-      CaseStream(files, options.csv), [](NamedCase& named) { return imported(named); },
+      CaseStream(files, csv), [](NamedCase& named) { return imported(named); },
       [&](const NamedCase& named, const ImportedRow& query) {
         if (counts.add(query) || session.json) {
           session.show(query, [&]() -> std::vector<TableCell> {
@@ -103,12 +105,12 @@ int run_import(const ImportOptions& options, Session& session) {
                     {contact_text(query.collides)}};
           });
         }
-        writer.write(named.value, "");  // no certificate of these is a tree
+        need(writer.write(named.value));
       });
   if (session.interrupted()) {
     return session.end_unwritten(counts.queries, "queries", options.output);
   }
-  writer.finish();
+  finish_data_set(writer, options.output);
   session.end_table(true);
   session.summary(counts.summary());
   return kDone;

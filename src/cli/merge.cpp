@@ -40,20 +40,21 @@ std::uint64_t for_each_record(MergedRun& run, const Visit& visit) {
 
 /// The data set of the shares of a `generate`.
 int merge_made(const MergeOptions& options, Session& session) {
+  refuse_input("--output", options.output, options.inputs, "shares");
   MergedRun run = need(MergedRun::open(options.inputs));
   if (run.header().run != "generate") {
     throw BadInput{{options.inputs[0], "is no share of a data set"}};
   }
-  MadeSet set{options.output, DataSetWriter(options.output)};
-  for_each_record<MadeCases>(run,
-                             [&](std::string_view, MadeCases made) { set.add(std::move(made)); });
-  set.writer.finish(set.costs);
+  MadeSet set(options.output);
+  for_each_record<MadeCases>(run, [&](std::string_view, const MadeCases& made) { set.add(made); });
+  set.finish();
   set.show(session, fmt::format(" of {} files", options.inputs.size()));
   return kDone;
 }
 
 /// The folder of the shares of an `evaluate`.
 int merge_evaluated(const MergeOptions& options, Session& session) {
+  refuse_input("--output", options.output, options.inputs, "shares");
   std::vector<std::string> paths;
   for (const std::string& folder : options.inputs) paths.push_back(answers_path(folder));
   MergedRun run = need(MergedRun::open(paths));

@@ -3,8 +3,8 @@
 #include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/data_set.hpp"
 #include "cli/session.hpp"
+#include "eval/generation_cost.hpp"
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
 #include "finds/content_address.hpp"
@@ -40,25 +40,6 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
   return may_crash ? Asker(limited(search), MethodSet(make_served_method)) : Asker(search);
 }
 
-/// Writes the case and beside it the tree that it may have; only one that is as it was has a tree.
-void write_minimised(const MinimizeOptions& options, Case value, Session& session) {
-  const std::string& path = options.output;
-  if (!path.empty() && !is_stream(path)) {
-    const std::string tree = need(tree_of(value.truth, trees_path(options.file)));
-    DataSetWriter writer(path);
-    writer.write(std::move(value), tree);
-    return writer.finish();
-  }
-  if (drop_tree(value.truth)) {
-    session.remark(
-        "without its tree of separating axes, which a stream cannot hold, the case proves no "
-        "absence of contact: use --output FILE");
-  }
-  const std::string text = to_json(value, JsonLayout::kReadable) + "\n";
-  if (!path.empty()) return need(write_file(path, text));
-  if (!session.json) print_out(text);
-}
-
 int run_minimize(const MinimizeOptions& options, Session& session) {
   if (options.output == "-") throw BadInput{{"--output", "- is no file; the default is stdout"}};
   if (!options.output.empty() && !is_stream(options.output) &&
@@ -81,16 +62,18 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   Minimised minimised = minimise(found.value, failure, asker,
                                  {options.max_trials, [&] { return interrupted.load(); }});
   const CheckedCase left = checked_or_unknown(minimised.value);
-  Judged shrunk;
-  if (!interrupted && is_false_negative(failure.outcome)) {
-    shrunk = asker.ask(options.method, left);
-    shrunk.depth = depth_of(left, shrunk).value_or(0);
-  }
+  const Judged shrunk = interrupted ? Judged() : asker.ask_how_deep(failure, left);
   say_version(minimised.value, options.method, shrunk);
   if (!interrupted && asker.differs(options.method, left, shown, asker.search())) {
     session.remark("{}: {}", options.method, kAnswersDiffer);
   }
-  write_minimised(options, minimised.value, session);
+  const std::string text = to_json(minimised.value, JsonLayout::kReadable) + "\n";
+  if (!options.output.empty()) {
+    need(
+        write_file(options.output, text).and_then([&] { return write_costs(options.output, {}); }));
+  } else if (!session.json) {
+    print_out(text);
+  }
   if (session.json) {
     print_row([&](auto& row) {
       row("case", found.id);
@@ -119,10 +102,7 @@ void add_minimize(CommandLine& line) {
   command.text("--method METHOD", options->method, "The method that fails on it, as it does after")
       .in("Methods")
       .required();
-  command
-      .text("-o,--output FILE", options->output,
-            "File to write, .json, and beside it the tree of the case if it has one; by default "
-            "stdout")
+  command.text("-o,--output FILE", options->output, "File to write, .json; by default stdout")
       .in("Results");
   command.json("What was reached, as a JSON object on stdout");
   command.group("Limits");

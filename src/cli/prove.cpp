@@ -8,7 +8,6 @@
 #include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
 #include "cli/session.hpp"
-#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -35,6 +34,11 @@ std::string certificates_of(const Truth& truth) {
   return letters;
 }
 
+size_t tree_bytes_of(const Truth& truth) {
+  const auto* const tree = clearance_of<MissTree>(truth);
+  return tree == nullptr ? 0 : tree->tree.bytes.size();
+}
+
 void show(const std::string& id, const Completed& completed, Session& session) {
   const Truth& truth = completed.value.truth;
   const auto text_of = [](const std::optional<Rational>& time) {
@@ -47,7 +51,7 @@ void show(const std::string& id, const Completed& completed, Session& session) {
         row("certificates", certificates_of(truth));
         row("contact_by", text_of(truth.contact_by()));
         row("clear_until", text_of(truth.clear_until));
-        row("tree_bytes", completed.tree.size());
+        row("tree_bytes", tree_bytes_of(truth));
         row("refuted", completed.refuted);
         row.optional("note", completed.note);
       },
@@ -62,34 +66,34 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
   if (auto checked = check_truth(named.value); !checked) {
     throw BadInput{{named.id + ": " + checked.error().where, checked.error().what}};
   }
-  return complete_truth(named.value, tree_of(named.value.truth, trees_path(named.file)), oracle);
+  return complete_truth(named.value, oracle);
 }
 
 int run_prove(const ProveOptions& options, Session& session) {
-  DataSetWriter destination(options.output);
+  CaseWriter destination = data_set_writer(options.output);
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
-  std::uint64_t cases = 0, refuted = 0;
+  std::uint64_t refuted = 0;
   session.each_case<Completed>(
       CaseStream(options.files),
       [&](const NamedCase& named) { return prove(named, options.oracle); },
       [&](const NamedCase& named, Completed completed) {
-        ++cases;
         ++counts[verdict_of(completed)];
         if (completed.refuted) ++refuted;
         if (session.json || completed.refuted || !completed.value.truth.collides) {
           show(named.id, completed, session);
         }
-        destination.write(std::move(completed.value), completed.tree);
+        need(destination.write(completed.value));
       });
   session.end_table(true);
   if (session.interrupted()) {
-    return session.end_unwritten(cases, "cases", options.output);
+    return session.end_unwritten(session.counts.cases, "cases", options.output);
   }
-  destination.finish(need(read_costs(options.files)));
-  std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),
-                                    counted(counts["hit"], "hit", "hits"),
-                                    counted(counts["miss"], "miss", "misses"), counts["undecided"]);
+  finish_data_set(destination, options.output, need(read_costs(options.files)));
+  std::string summary =
+      fmt::format("{}: {}, {}, {} undecided", counted(session.counts.cases, "case", "cases"),
+                  counted(counts["hit"], "hit", "hits"), counted(counts["miss"], "miss", "misses"),
+                  counts["undecided"]);
   if (refuted > 0) summary += fmt::format("; {} had claimed otherwise", refuted);
   session.summary(summary);
   return refuted == 0 ? kDone : kCheckFailed;
@@ -104,7 +108,7 @@ void add_prove(CommandLine& line) {
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   command
       .text("-o,--output FILE", options->output,
-            "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")
+            "File to write: .jsonl, .jsonl.zst, or .json for one case")
       .in("Results")
       .required();
   command.json("One JSON object per case");

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "base/text.hpp"
-#include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
@@ -51,8 +50,7 @@ std::string heading_of(const NamedCase& named) {
                              2));
 }
 
-std::vector<TableCell> query_cells(const AnswerRow& row) {
-  const Judged& judged = row.judged;
+std::vector<TableCell> query_cells(const std::string& method, const Judged& judged) {
   const Answer& answer = judged.answer;
   const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
   std::string at;
@@ -65,8 +63,8 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
   // An answer that is nonsense has a verdict that is judged; a crash or a hang is none.
   const bool is_answered = !(judged.outcome == Outcome::kError && judged.error != "nonsense");
   std::string outcome = to_text(judged.outcome, judged.late_by);
-  outcome += depth_text(judged.depth, judged.depth_tolerance);
-  return {{marked(row.method)},
+  outcome += depth_text(judged.depth, judged.terms.depth_tolerance);
+  return {{marked(method)},
           {is_answered ? std::string(name_of(answer.verdict)) + at : judged.error},
           {outcome, bad},
           {is_asked && is_answered ? fmt::format("{}", answer.pops) : "-"},
@@ -114,16 +112,13 @@ int run_query(const QueryOptions& options, Session& session) {
       {method_column(), {"answer", Align::kLeft}, {"outcome", Align::kLeft}, {"pops"}, {"time"}});
   tbb::enumerable_thread_specific<MethodSet> methods;
   DefaultBudget budget;
-  std::atomic<bool> spent = false;
-  std::string first_left;  // the first case for which no work is left
   std::vector<std::string> notes;
   Tally tally;
-  CaseCount counts;
+  bool may_need_more = false;  // pops, for what is undecided
   session.each_case<std::vector<Judged>>(
       CaseStream(options.files),
       [&](NamedCase& named) {
         std::vector<Judged> answers;
-        if (spent) return answers;
         const CheckedCase asked = need(decided_and_checked(named));
         const SearchOptions search = options.search.options_for(named.value);
         for (const std::string& method : methods_for(named.value)) {
@@ -133,39 +128,43 @@ int run_query(const QueryOptions& options, Session& session) {
         return answers;
       },
       [&](const NamedCase& named, const std::vector<Judged>& answers) {
-        if (by_default && !spent && budget.is_spent()) {
-          first_left = named.id;
-          spent = true;
-        }
-        if (spent) return;
-        counts.add(named.value);
+        if (by_default) budget.begin(named);
         session.start_group(heading_of(named));
+        const std::uint64_t most = options.search.options_for(named.value).max_pops;
         const std::vector<std::string> asked = methods_for(named.value);
         add_notes(notes, named.id, asked, answers);
         for (size_t m = 0; m < answers.size(); ++m) {
-          budget.add(named, answers[m].answer);
-          const AnswerRow row{named.id, asked[m], answers[m]};
-          tally.add(answers[m].answer, answers[m].outcome, std::nullopt);
-          session.show(row, [&] { return query_cells(row); });
+          const Judged& judged = answers[m];
+          budget.add(named, judged.answer);
+          tally.add(judged.answer, judged.outcome, std::nullopt);
+          // The oracle ends earlier on bodies that turn where no number of pops decides.
+          may_need_more =
+              may_need_more || (judged.outcome == Outcome::kUndecided &&
+                                (!is_of_bodies(named.value.query) || judged.answer.pops >= most));
+          session.show(
+              [&](auto& row) {
+                row("case", named.id);
+                row("method", asked[m]);
+                Judged::fields(row, judged);
+              },
+              [&] { return query_cells(asked[m], judged); });
         }
-      },
-      &spent);
-  counts.note(session);
+      });
+  session.note_truths();
   session.end_table(true);
-  if (!session.json && counts.cases > 0) {
+  if (!session.json && session.counts.cases > 0) {
     for (size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) print_out(notes[i]);
     if (notes.size() > kMostNotes) print_out("More of the kind are in the rows of --json\n");
     print_out(mark_note(options.methods));
-    if (by_default && tally.count(Outcome::kUndecided) > 0) {
+    if (by_default && may_need_more) {
       print_out(
           fmt::format("A larger budget than the default, 5 s a case, may decide: --max-pops {}\n",
                       SearchOptions().max_pops));
     }
-    print_out(fmt::format("{}, {}: {}\n", counted(counts.cases, "case", "cases"),
+    print_out(fmt::format("{}, {}: {}\n", counted(session.counts.cases, "case", "cases"),
                           counted(tally.n + tally.not_asked(), "answer", "answers"),
                           outcomes_text(tally)));
   }
-  if (!first_left.empty()) throw BadInput{DefaultBudget::spent_before(first_left)};
   return session.exit_code(kDone);
 }
 

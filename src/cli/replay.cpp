@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "certify/oracle/body_depth.hpp"
-#include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
@@ -47,8 +46,9 @@ struct ReplayRow {
   bool hangs_anew() const { return judged.error == "hang" && change() != Change::kNone; }
 
   static void fields(auto& archive, auto& row) {
-    const AnswerRow answer{row.id, row.method, row.judged};
-    AnswerRow::fields(archive, answer);
+    archive("case", row.id);
+    archive("method", row.method);
+    Judged::fields(archive, row.judged);
     archive("got", row.got);
     archive("expected", row.expected);
     archive("change", row.change());
@@ -72,10 +72,8 @@ struct Askers {
 struct Replayed {
   std::vector<ReplayRow> rows;
   std::map<std::string, Expected> not_allowed;
-  std::uint64_t not_taken = 0;    ///< by a method for all of whose answers something is expected
-  std::uint64_t not_claimed = 0;  ///< contacts at 0 or t_max that such a method need not find
-  std::uint64_t not_known = 0;    ///< answers of which nothing is known that should be correct
-  std::optional<InputError> not_proven;  ///< none if its truth holds
+  std::map<std::string_view, std::uint64_t> left_out;  ///< answers, by why_left_out
+  std::optional<InputError> not_proven;                ///< none if its truth holds
 };
 
 /// The methods to ask about an entry, and the expected outcomes.
@@ -89,10 +87,7 @@ std::map<std::string, Expected> expectations(const CheckedCase& entry,
   }
   if (!options.expect) return wanted;
   for (const std::string& method : options.methods) wanted[method];
-  // No answer about a query of which nothing is proven is known to be correct.
-  const bool is_unknown = *options.expect == Outcome::kCorrect && !entry.collides();
-  for (auto& [method, expected] : wanted)
-    expected = is_unknown ? Outcome::kUnknown : *options.expect;
+  for (auto& [method, expected] : wanted) expected = *options.expect;
   return wanted;
 }
 
@@ -102,7 +97,25 @@ bool is_at_end(const CheckedCase& known) {
   const auto& [a, b] = known.query().patches;
   const std::optional<Rational> by = known.contact_by();
   return by && (*by == 0 || *by == exact(known.query().t_max)) &&
-         (!is_of_bodies(known.query()) || a.positions.size() * b.positions.size() <= kMostPairs);
+         (!is_of_bodies(known.query()) || is_measured(a.positions.size(), b.positions.size()));
+}
+
+/// Whether an entry says that the method ended in an error. Any answer is what was wanted then.
+bool ended_in_error(const CheckedCase& known, const std::string& method) {
+  const auto& before = known.value().expect;
+  const auto stated = before.find(method);
+  return stated != before.end() && stated->second.outcome == Outcome::kError;
+}
+
+/// Why an answer is not held to what --expect says of all, in words behind a number; otherwise
+/// empty. An unknown outcome judges nothing.
+std::string_view why_left_out(const CheckedCase& known, const ReplayRow& row) {
+  if (row.expected == row.got) return "";
+  if (row.got.outcome == Outcome::kNotAsked) return "not asked, as the method does not take them";
+  if (row.got.outcome != Outcome::kUnknown) return "";
+  if (!known.collides()) return "not judged, as nothing is known of a contact (see prove)";
+  if (!is_at_end(known)) return "not judged, as they may be right within the method's tolerance";
+  return "left out: a contact at an end of the step, which the method does not claim to find";
 }
 
 /// Errors: throws BadInput for an entry that names no method.
@@ -128,23 +141,16 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     const bool differs =
         change_of(expected, got) != Change::kNone && asker.differs(method, *known, got, search);
     if (options.update) judged.depth = depth_of(*known, judged).value_or(0);
-    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged), differs});
-  }
-  // A method need not answer a query that it does not take. Where it ended in an error before, an
-  // answer is what was wanted.
-  if (options.expect) {
-    const auto& before = entry.value.expect;
-    result.not_known = std::erase_if(result.rows, [&](const ReplayRow& row) {
-      const auto stated = before.find(row.method);
-      const bool was_error = stated != before.end() && stated->second.outcome == Outcome::kError;
-      return row.expected.outcome != *options.expect && row.got.outcome == Outcome::kUnknown &&
-             !was_error;
-    });
-    result.not_taken = std::erase_if(
-        result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
-    if (*options.expect != Outcome::kUnknown && is_at_end(*known)) {
-      result.not_claimed = std::erase_if(
-          result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kUnknown; });
+    ReplayRow row{entry.id, method, expected, std::move(got), std::move(judged), differs};
+    const bool is_unknown = row.got.outcome == Outcome::kUnknown;
+    if (is_unknown && options.expect == Outcome::kCorrect && ended_in_error(*known, method)) {
+      row.expected = row.got;
+    }
+    const std::string_view why = options.expect ? why_left_out(*known, row) : std::string_view();
+    if (why.empty()) {
+      result.rows.push_back(std::move(row));
+    } else {
+      ++result.left_out[why];
     }
   }
   return result;
@@ -164,7 +170,7 @@ class Replay {
     if (of_methods && cases.empty()) {
       throw BadInput{{options_.corpus, "has claims alone, about which no method is asked"}};
     }
-    if (!of_methods) replay_claims(claims);
+    if (!of_methods) session_.unless_refused([&] { replay_claims(claims); });
     session_.each_case<Replayed>(
         CaseStream(cases),
         [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
@@ -173,7 +179,8 @@ class Replay {
     summarise();
     const bool holds =
         options_.update || (expectations_.all_as_expected() && claims_.all_as_expected());
-    return session_.exit_code(not_proven_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
+    const bool passes = not_proven_ == 0 && holds && (session_.interrupted() || was_asked());
+    return session_.exit_code(passes ? kDone : kCheckFailed);
   }
 
  private:
@@ -226,11 +233,7 @@ class Replay {
   }
 
   void add(const NamedCase& entry, const Replayed& done) {
-    if (!options_.search.max_pops && budget_.is_spent()) {
-      throw BadInput{DefaultBudget::spent_before(entry.id)};
-    }
-    ++entries_;
-    case_counts_.add(entry.value);
+    if (!options_.search.max_pops) budget_.begin(entry);
     if (done.not_proven) {
       ++not_proven_;
       const char* truth = done.not_proven->is_limit ? "unproven" : "refuted";
@@ -252,13 +255,11 @@ class Replay {
         row("expected", stated.second);
       });
     }
-    not_taken_ += done.not_taken;
-    not_claimed_ += done.not_claimed;
-    not_known_ += done.not_known;
+    for (const auto& [why, count] : done.left_out) left_out_[why] += count;
     session_.start_group(entry.id);
     for (const ReplayRow& row : done.rows) {
       expectations_.add(row.change());
-      asked_.insert(row.method);
+      if (row.change() != Change::kNotAsked) asked_.insert(row.method);
       budget_.add(entry, row.judged.answer);
       if (row.differs) session_.remark("{}: {}: {}", entry.id, row.method, kAnswersDiffer);
       const bool is_other = row.change() != Change::kNone;
@@ -277,7 +278,8 @@ class Replay {
     for (const ReplayRow& row : rows) {
       if (!row.hangs_anew()) {
         // What is shown may be as --expect says, and not as the entry does.
-        if (row.change() != Change::kNone || options_.expect) now.expect[row.method] = row.got;
+        const bool is_kept = row.change() == Change::kNone && !options_.expect;
+        if (!is_kept && row.change() != Change::kNotAsked) now.expect[row.method] = row.got;
         const bool is_right = row.judged.outcome == Outcome::kCorrect;
         if (is_right || row.judged.depth > 0) {
           say_depth(now, row.method, is_right ? Judged() : row.judged);
@@ -292,26 +294,30 @@ class Replay {
       throw BadInput{
           {entry.id, "is a case of a data set: --update writes files of one case, .json"}};
     }
-    expectations_.update(entry.id, to_json(now, JsonLayout::kReadable) + "\n",
-                         [&] { return need(read_case(entry.id)).value == entry.value; });
+    expectations_.update(entry.id, to_json(now, JsonLayout::kReadable) + "\n", [&] {
+      NamedCase stored = need(read_case(entry.id));
+      decide_unknown(stored);
+      return stored.value == entry.value;
+    });
   }
 
   /// Says so where nothing was judged, or nothing by a method that --methods names: then all was as
   /// expected for no good reason.
   bool was_asked() const {
-    if (expectations_.total() + claims_.total() == 0 && options_.methods.empty()) {
-      session_.remark("nothing was judged: {}", not_allowed_.empty()
-                                                    ? "no entry expects anything"
-                                                    : "every expectation is one of a plug-in");
+    if (asked_.empty() && claims_.total() == 0 && options_.methods.empty()) {
+      session_.remark("nothing was judged: {}",
+                      expectations_.total() > 0 ? "every query was refused"
+                      : not_allowed_.empty()    ? "no entry expects anything"
+                                                : "every expectation is one of a plug-in");
       return false;
     }
     bool all = true;
     for (const std::string& method : options_.methods) {
       if (asked_.contains(method)) continue;
       session_.remark("{} was judged by nothing: {}", method,
-                      options_.expect ? "it takes no entry whose truth is known, or claims to find "
-                                        "none of the contacts"
-                                      : "no entry expects anything of it; see --expect");
+                      options_.expect
+                          ? "no entry shows whether its answer is right"
+                          : "no entry that it takes expects anything of it; see --expect");
       all = false;
     }
     return all;
@@ -327,21 +333,10 @@ class Replay {
           claims_.text()));
     }
     std::string left_out;
-    if (not_taken_ > 0) {
-      left_out += fmt::format("; {} not asked, as the method does not take them", not_taken_);
-    }
-    if (not_claimed_ > 0) {
-      left_out += fmt::format(
-          "; {} left out: a contact at an end of the step, which the method does "
-          "not claim to find",
-          not_claimed_);
-    }
-    if (not_known_ > 0) {
-      left_out +=
-          fmt::format("; {} not judged, as nothing is known of a contact (see prove)", not_known_);
-    }
-    if (entries_ > 0 || claims_.total() == 0) {
-      session_.summary(fmt::format("{}, {}: {}{}", counted(entries_, "entry", "entries"),
+    for (const auto& [why, count] : left_out_) left_out += fmt::format("; {} {}", count, why);
+    const std::uint64_t entries = session_.counts.cases;
+    if (entries > 0 || claims_.total() == 0) {
+      session_.summary(fmt::format("{}, {}: {}{}", counted(entries, "entry", "entries"),
                                    counted(expectations_.total(), "expectation", "expectations"),
                                    expectations_.text(), left_out));
     }
@@ -349,19 +344,19 @@ class Replay {
       session_.remark("an improvement is a change, too: --update writes it into the entry");
     }
     if (!not_allowed_.empty()) session_.remark("{}", to_text(not_allowed_));
-    case_counts_.note(session_);
+    session_.note_truths();
   }
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, not_taken_ = 0, not_claimed_ = 0, not_known_ = 0, not_proven_ = 0;
+  std::uint64_t not_proven_ = 0;
+  std::map<std::string_view, std::uint64_t> left_out_;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   Changes expectations_, claims_;
   DefaultBudget budget_;
   std::set<std::string> asked_;
   NotAllowed not_allowed_;
-  CaseCount case_counts_;
 };
 
 int run_replay(const ReplayOptions& options, Session& session) {
@@ -385,7 +380,7 @@ void add_replay(CommandLine& line) {
   Option update = command.flag(
       "--update", options->update,
       "Write what methods show now into the entries, with the depth, but no hang, which "
-      "depends on the machine. What changed is then no failure");
+      "depends on the machine, and no refusal. What changed is then no failure");
   // An entry says itself how it is asked.
   options->search.max_pops.reset();
   for (const Option& limit : options->search.add_to(command)) update.excludes(limit);

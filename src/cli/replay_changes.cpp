@@ -19,8 +19,10 @@ std::uint64_t Changes::total() const {
 std::string Changes::text() const {
   const bool is_all = total() > 0 && all_as_expected();
   std::string text = is_all ? "all as expected" : fmt::format("{} as expected", counts_[0]);
-  constexpr std::array<const char*, 4> kOne = {"", "regression", "improvement", "other change"},
-                                       kMany = {"", "regressions", "improvements", "other changes"};
+  constexpr std::array<const char*, kAllChanges.size()> kOne = {"", "regression", "improvement",
+                                                                "other change", "not asked"},
+                                                        kMany = {"", "regressions", "improvements",
+                                                                 "other changes", "not asked"};
   for (size_t c = 1; c < counts_.size(); ++c) {
     if (counts_[c] > 0) text += ", " + counted(counts_[c], kOne[c], kMany[c]);
   }

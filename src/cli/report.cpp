@@ -59,23 +59,19 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
     search.precision = need(parse_number(answers.where(), precision->second));
   }
   for (const std::string& file : header.inputs) need(refuse_irregular(file));
-  EvaluateOptions evaluated_as;
-  evaluated_as.shard = header.shard;
-  evaluated_as.threads = session.threads;
   Rows rows;
   ReportRows shown;
-  std::uint64_t done = 0;
-  need(evaluate(
-      header.inputs, evaluated_as, &answers,
-      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new) -> Result<void> {
-        if (is_new) return input_error(answers.where(), "is the last line: none is of " + named.id);
-        rows.add(evaluated);
-        shown.add(evaluated, named.value, search.options_for(named.value).precision);
-        session.progress().show(named.share, evaluated.contact, ++done, "cases");
-        return {};
+  MethodSet none;
+  session.each_case<EvaluatedCase>(
+      CasesToEvaluate(header.inputs, header.shard, &answers),
+      [&](CaseToEvaluate& item) {
+        if (item.line) return need(evaluated(item, {}, none));
+        throw BadInput{{answers_path(options.source), "has no line of " + item.id}};
       },
-      [&] { return session.interrupted(); }));
-  session.progress().clear();
+      [&](const CaseToEvaluate& item, const EvaluatedCase& answered) {
+        rows.add(answered);
+        shown.add(answered, item.value, search.options_for(item.value).precision);
+      });
   const std::vector<GenerationCost> costs = need(read_costs(header.inputs));
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
@@ -111,8 +107,7 @@ int run_report(const ReportArguments& options, Session& session) {
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   ReportPage report = report_source(options, session);
   if (session.interrupted()) {
-    session.remark("interrupted: {}/index.html was not written", options.folder);
-    return interrupted_exit_code();
+    return session.end_early(options.folder + "/index.html was not written");
   }
   report.scoreboard = std::move(scoreboard);
   report.command = command_line();

@@ -19,15 +19,49 @@ RunFile resumed_run(const RunHeader& header, const std::string& output, const ch
   return file;
 }
 
-void RoundedNumbers::add(const Case& value) {
-  const auto of_query = value.origin.more.find("rounded");
-  if (of_query == value.origin.more.end()) return;
-  ++queries;
-  numbers += parse_whole("", of_query->second).value_or(0);
+void CaseCount::add(const Case& value) {
+  ++cases;
+  const Truth& truth = value.truth;
+  const bool says_so = truth.collides ? !*truth.collides : truth.clear_until.has_value();
+  if (says_so && !truth.clearance) ++by_word;
+  const auto& more = value.origin.more;
+  if (const auto label = more.find("label"); label != more.end() && truth.collides) {
+    ++labels;
+    if ((label->second == "1") != *truth.collides) ++wrong_labels;
+  }
+  if (const auto numbers = more.find("rounded"); numbers != more.end()) {
+    ++rounded_queries;
+    rounded += parse_whole("", numbers->second).value_or(0);
+  }
+}
+
+void Session::note_rounded() {
+  if (counts.rounded_queries == 0) return;
+  remark("{} numbers of {} queries are no doubles and were rounded", counts.rounded,
+         counts.rounded_queries);
+}
+
+void Session::note_truths() {
+  if (counts.by_word > 0) {
+    remark(
+        "{} of {} cases have no contact by the word of a method alone: their outcome is unknown "
+        "(`ccdfuzz prove` gives proofs)",
+        counts.by_word, counts.cases);
+  }
+  if (counts.wrong_labels > 0) {
+    remark("{} of {} labels are not the truth of what was asked (`ccdfuzz import` lists them)",
+           counts.wrong_labels, counts.labels);
+  }
+}
+
+int Session::end_early(const std::string& what_follows) {
+  remark("{}: {}", refused_ ? "no process answers" : "interrupted", what_follows);
+  return interrupted_exit_code();
 }
 
 int Session::end_early(std::uint64_t done, const char* unit, const std::string& what_follows) {
-  remark("interrupted after {} {}{}{}", done, unit, what_follows.empty() ? "" : "; ", what_follows);
+  remark("{} after {} {}{}{}", refused_ ? "no process answers" : "interrupted", done, unit,
+         what_follows.empty() ? "" : "; ", what_follows);
   return interrupted_exit_code();
 }
 

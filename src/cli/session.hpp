@@ -2,19 +2,21 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <atomic>
+#include <exception>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/no_process.hpp"
+#include "certify/checker/work_done.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/terminal.hpp"
-#include "eval/stream_cases.hpp"
+#include "files/check_file.hpp"
 #include "io/fields.hpp"
+#include "io/in_order.hpp"
 #include "io/output_file.hpp"
 #include "io/run_file.hpp"
 #include "io/table.hpp"
@@ -26,11 +28,24 @@ namespace ccdfuzz {
 /// Throws BadInput: as RunFile::open; the output cannot be written.
 RunFile resumed_run(const RunHeader& header, const std::string& output, const char* unit);
 
-/// Numbers of query CSVs that became the nearest double, and the queries with such.
-struct RoundedNumbers {
-  std::uint64_t numbers = 0, queries = 0;
+/// Counts of the cases that a command was given.
+struct CaseCount {
+  std::uint64_t cases = 0;
+  /// Cases whose absence of contact, up to t_max or else up to clear_until, has no proof but the
+  /// word of a method. Nothing is judged by it.
+  std::uint64_t by_word = 0;
+  /// With a truth and a label of a query CSV; of them, those whose label says otherwise.
+  std::uint64_t labels = 0, wrong_labels = 0;
+  /// Numbers of query CSVs that became the nearest double, and the queries with such.
+  std::uint64_t rounded = 0, rounded_queries = 0;
+
   void add(const Case& value);
 };
+
+/// Whether a case is asked about in this run: not one whose answers are known.
+inline bool is_anew(const NamedCase&) {
+  return true;
+}
 
 /// The common part of commands: threads, --json, a table or rows on stdout, progress, interrupts.
 class Session {
@@ -41,6 +56,7 @@ class Session {
   std::vector<Property> properties;  ///< all that there are
   FindSuite find_suite;
   std::map<std::string, std::string> asked;  ///< the command's options that decide its result
+  CaseCount counts;                          ///< of those that the command has read
 
   /// Begins a table whose rows are printed as they come, 1,000 at a time.
   Table& begin_table(std::vector<Table::Column> columns) {
@@ -77,50 +93,83 @@ class Session {
     if (!json) print_out(text + "\n");
   }
 
-  /// stream_cases with progress, until a signal or until stop is true. Says how many numbers were
-  /// rounded. work(named) and sink(named, row) may throw BadInput, whose error it is.
-  template <class Row, class Work, class Sink>
-  void each_case(CaseStream cases, const Work& work, const Sink& sink,
-                 const std::atomic<bool>* stop = nullptr) {
-    const std::atomic<bool>& signalled = catch_interrupts();
-    std::uint64_t done = 0;
-    RoundedNumbers rounded;
-    const Result<void> read = stream_cases<Row>(
-        threads, [&] { return cases.next(); },
-        [&](NamedCase& named) -> Result<Row> {
-          try {
-            return work(named);
-          } catch (const BadInput& bad) {
-            return tl::unexpected(bad.error);
-          }
-        },
-        [&](const NamedCase& named, Row row) {
-          rounded.add(named.value);
-          sink(named, std::move(row));
-          progress_.show(named.share, named.id, ++done, "cases");
-        },
-        [&] { return signalled || (stop != nullptr && *stop); });
+  /// Runs work(item) on `threads` threads for each that cases.next() gives, a NamedCase or what
+  /// derives from it. sink(item, row) sees the rows in the same order, with progress. A signal, or
+  /// that no process answers (unless_refused), ends the reading; what was begun still reaches sink
+  /// after a signal. The checks within work count (RunWork). Says how many numbers were rounded.
+  /// Throws, after all rows before it: BadInput of next or of RunWork::add; what work or sink does.
+  template <class Row, class Cases, class Work, class Sink>
+  void each_case(Cases cases, const Work& work, const Sink& sink) {
+    using Item = typename decltype(cases.next())::value_type::value_type;
+    struct Done {
+      Result<Item> item;
+      std::optional<Row> row = {};
+      std::exception_ptr thrown = {};
+      std::uint64_t checking = 0;  ///< what work() checked
+    };
+    bool is_readable = true;
+    std::uint64_t anew = 0;
+    const auto next = [&]() -> std::optional<Result<Item>> {
+      if (!is_readable || interrupted()) return std::nullopt;
+      auto given = cases.next();
+      is_readable = given.has_value();
+      if (given && !*given) return std::nullopt;
+      return std::move(given).map([](auto item) { return *std::move(item); });
+    };
+    const auto done_with = [&](Result<Item> item) {
+      Done done{std::move(item)};
+      if (!done.item) return done;
+      const std::uint64_t before = work_done_here();
+      try {
+        done.row.emplace(work(*done.item));
+      } catch (...) {
+        done.thrown = std::current_exception();
+      }
+      done.checking = work_done_here() - before;
+      return done;
+    };
+    unless_refused([&] {
+      stream_in_order<Done>(threads, next, done_with, [&](Done done) {
+        const Item item = need(std::move(done.item));
+        if (done.thrown) std::rethrow_exception(done.thrown);
+        need(RunWork::add(item, done.checking));
+        counts.add(item.value);
+        sink(item, *std::move(done.row));
+        if (is_anew(item)) ++anew;
+        progress_.show(item.share, item.id, anew, "cases");
+      });
+    });
     progress_.clear();
-    need(read);
-    if (!signalled) note(rounded);
+    if (!interrupted()) note_rounded();
   }
-  void note(const RoundedNumbers& rounded) {
-    if (rounded.queries == 0) return;
-    remark("{} numbers of {} queries are no doubles and were rounded", rounded.numbers,
-           rounded.queries);
-  }
+  /// Says on stderr how many numbers of the cases were rounded.
+  void note_rounded();
+  /// The same of truths that are not as they should be.
+  void note_truths();
 
-  /// True iff a signal asked the command to end.
-  bool interrupted() const { return catch_interrupts(); }
-  /// The exit code of the command: `code`, or that of the signal, which it says.
+  /// Where no process answers, and not because of a signal, the command is to end as after one. The
+  /// program then ends with this error.
+  template <class Work>
+  void unless_refused(const Work& work) {
+    try {
+      work();
+    } catch (const NoProcess&) {
+      if (!catch_interrupts()) refused_ = std::current_exception();
+    }
+  }
+  const std::exception_ptr& refused() const { return refused_; }
+
+  /// True iff the command is to end with what it has: a signal asked for it, or refused().
+  bool interrupted() const { return catch_interrupts() || refused_; }
+  /// The exit code of the command: `code`, or where it was interrupted that of the signal.
   int exit_code(int code) {
     if (!interrupted()) return code;
-    remark("interrupted: what is shown is of what was done until then");
-    return interrupted_exit_code();
+    return end_early("what is shown is of what was done until then");
   }
 
-  /// Says on stderr after how much a signal ended the command, and what follows from that; the exit
-  /// code.
+  /// Says on stderr that the command was interrupted, and what follows from that; the exit code.
+  int end_early(const std::string& what_follows);
+  /// The same, and after how much.
   int end_early(std::uint64_t done, const char* unit, const std::string& what_follows);
   /// The same, and that a file was not written.
   int end_unwritten(std::uint64_t done, const char* unit, const std::string& path) {
@@ -132,6 +181,7 @@ class Session {
  private:
   Progress progress_;
   std::optional<Table> table_;
+  std::exception_ptr refused_;
 };
 
 }  // namespace ccdfuzz

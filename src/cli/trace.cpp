@@ -120,7 +120,7 @@ int run_trace(const TraceArguments& options, Session& session) {
                                              method)}};
   }
   session.begin_table(trace_columns());
-  std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0, left_out = 0;
+  std::uint64_t traces = 0, lost = 0, refused = 0, left_out = 0;
   std::optional<InputError> first_why_not;
   tbb::enumerable_thread_specific<MethodSet> methods;
   session.each_case<Traced>(
@@ -140,7 +140,6 @@ int run_trace(const TraceArguments& options, Session& session) {
         return made;
       },
       [&](const NamedCase& named, const Traced& traced) {
-        ++cases;
         const bool is_first = traced.by_methods.empty() ? left_out++ == 0 : !first_why_not;
         if (is_first) first_why_not = traced.why_not;
         session.start_group(named.id);
@@ -160,7 +159,7 @@ int run_trace(const TraceArguments& options, Session& session) {
   }
   session.summary(
       mark_note(options.methods) +
-      fmt::format("{}, {}: {} lost", counted(cases, "case", "cases"),
+      fmt::format("{}, {}: {} lost", counted(session.counts.cases, "case", "cases"),
                   counted(traces, "witness followed", "witnesses followed"), lost) +
       (refused == 0 ? "" : fmt::format("; {} not asked: a method refuses the query", refused)));
   return session.exit_code(kDone);

@@ -8,7 +8,6 @@
 
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
-#include "cli/check_command.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
@@ -132,7 +131,7 @@ class TriageRun {
     counts_.files = files.size();
     arguments_.target ? triage_claims(files) : triage_cases(files);
     session_.progress().clear();
-    session_.note(rounded_);
+    session_.note_rounded();
     if (session_.json) print_row(counts_);
     const bool asked_plugins = std::ranges::any_of(arguments_.methods, names_plugin);
     session_.summary(to_text(counts_,
@@ -208,7 +207,7 @@ class TriageRun {
         for (CaseStream cases({file}); !is_over();) {
           CCDFUZZ_TRY(const auto input, next_checked(cases));
           if (!input) break;
-          rounded_.add(input->value);
+          session_.counts.add(input->value);
           add(input->id, input->value);
         }
       } else {
@@ -303,7 +302,6 @@ class TriageRun {
   Session& session_;
   const Stopwatch watch_;
   TriageCounts counts_;
-  RoundedNumbers rounded_;
 };
 
 int run_triage(const TriageArguments& arguments, Session& session) {

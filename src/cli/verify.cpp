@@ -2,13 +2,13 @@
 
 #include "ccd/rational/proves_clear.hpp"
 #include "certify/checker/abbreviated.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/work.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
-#include "files/check_file.hpp"
-#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -50,12 +50,23 @@ std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
   return {proven, spent.pops >= most.pops || spent.work >= most.work};
 }
 
+/// A contact that is proven and refutes that nothing touches up to a time, of queries on which the
+/// oracle spends little.
+std::optional<Rational> contact_before(const Case& value, const Rational& clear_until) {
+  if (!is_decided_exactly(value.query) || has_turns(value.query)) return std::nullopt;
+  std::optional<Rational> by = decide(value.query).truth.contact_by();
+  // The end is within what is claimed, unless it is clear_until alone.
+  const bool is_at_end = by && *by == clear_until && value.truth.collides != false;
+  if (by && (*by > clear_until || is_at_end)) by.reset();
+  return by;
+}
+
 /// Everything the case claims. The checker proves all that has a certificate. Whatever else the
 /// case says of absence the exact method decides, a run of which is no certificate.
 Verified verify(const NamedCase& named) {
   const Case& value = named.value;
   const Truth& truth = value.truth;
-  if (const auto checked = check_with_trees(value, trees_path(named.file)); !checked) {
+  if (const auto checked = check_case(value); !checked) {
     const InputError& error = checked.error();
     return {named.id, error.is_limit ? Standing::kUnproven : Standing::kRefuted, error.message()};
   }
@@ -69,6 +80,11 @@ Verified verify(const NamedCase& named) {
   if (truth.clear_until && *truth.clear_until > clear_until) clear_until = *truth.clear_until;
   if (truth.collides != false && clear_until == 0) return {named.id};
   if (const auto [proven, at_limit] = method_proves(value.query, clear_until); !proven) {
+    if (const auto by = contact_before(value, clear_until)) {
+      return {named.id, Standing::kRefuted,
+              fmt::format("a contact by t = {} is proven, and the case has none up to t = {}",
+                          abbreviated(*by), abbreviated(clear_until))};
+    }
     return {named.id, Standing::kUnproven,
             fmt::format("no proof found {}that nothing touches up to t = {}",
                         at_limit ? "within the work of a case " : "", abbreviated(clear_until))};

@@ -1,25 +1,12 @@
 #include "eval/evaluate.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "eval/horizons.hpp"
-#include "eval/stream_cases.hpp"
 #include "io/fields.hpp"
 #include "method/ask.hpp"
-#include "method/method_set.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// A case of the share, with its answers if an earlier run gave them.
-struct ToEvaluate : NamedCase {
-  struct Line {
-    std::string where, json;
-  };
-  std::uint64_t index = 0;
-  std::optional<Line> line;
-};
 
 GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
                       const std::string& spec, Method& method, const SearchOptions& search) {
@@ -37,7 +24,7 @@ GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
   return given;
 }
 
-EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
+EvaluatedCase ask_all(const CaseToEvaluate& item, const CheckedCase& known,
                       const EvaluateOptions& options, MethodSet& methods) {
   const SearchOptions search = options.search_for(item.value);
   const Origin& origin = item.value.origin;
@@ -61,7 +48,7 @@ EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
 }
 
 /// The answers that an earlier run gave.
-Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
+Result<EvaluatedCase> read_answers(const CaseToEvaluate& item) {
   const auto& [where, json] = *item.line;
   Result<EvaluatedCase> read = from_json<EvaluatedCase>(json, where);
   if (read && (read->index != item.index || read->id != item.id)) {
@@ -73,37 +60,24 @@ Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
 
 }  // namespace
 
-Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      RunLines* earlier, const OnEvaluated& on_case,
-                      const std::function<bool()>& stop) {
-  tbb::enumerable_thread_specific<MethodSet> methods;
-  CaseStream cases(files);
-  std::uint64_t index = 0;  // of the next case
-  Result<void> done;
-  const Result<void> read = stream_cases<EvaluatedCase>(
-      options.threads,
-      [&]() -> Result<std::optional<ToEvaluate>> {
-        CCDFUZZ_TRY(auto named, cases.next());
-        for (; named && index % options.shard.of != options.shard.index; ++index) {
-          CCDFUZZ_TRY(named, cases.next());
-        }
-        if (!named) return std::nullopt;
-        ToEvaluate item{*std::move(named), index++, {}};
-        if (earlier == nullptr) return item;
-        CCDFUZZ_TRY(const auto line, earlier->next());
-        if (line) item.line = {earlier->where(), std::string(*line)};
-        return item;
-      },
-      [&](ToEvaluate& item) {
-        return decided_and_checked(item).and_then([&](const CheckedCase& known) {
-          return item.line ? read_answers(item) : ask_all(item, known, options, methods.local());
-        });
-      },
-      [&](const ToEvaluate& item, const EvaluatedCase& evaluated) {
-        if (done) done = on_case(item, evaluated, !item.line);
-      },
-      [&] { return !done || stop(); });
-  return read ? done : read;
+Result<std::optional<CaseToEvaluate>> CasesToEvaluate::next() {
+  CCDFUZZ_TRY(auto named, cases_.next());
+  for (; named && index_ % shard_.of != shard_.index; ++index_) {
+    CCDFUZZ_TRY(named, cases_.next());
+  }
+  if (!named) return std::nullopt;
+  CaseToEvaluate item{*std::move(named), index_++, {}};
+  if (earlier_ == nullptr) return item;
+  CCDFUZZ_TRY(const auto line, earlier_->next());
+  if (line) item.line = {earlier_->where(), std::string(*line)};
+  return item;
+}
+
+Result<EvaluatedCase> evaluated(CaseToEvaluate& item, const EvaluateOptions& options,
+                                MethodSet& methods) {
+  return decided_and_checked(item).and_then([&](const CheckedCase& known) {
+    return item.line ? read_answers(item) : ask_all(item, known, options, methods);
+  });
 }
 
 }  // namespace ccdfuzz

@@ -1,17 +1,47 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/shard.hpp"
-#include "case/checked_case.hpp"
-#include "ccd/search.hpp"
 #include "eval/rows.hpp"
 #include "files/case_files.hpp"
 #include "io/run_file.hpp"
+#include "method/method_set.hpp"
 
 namespace ccdfuzz {
+
+/// A case of a share, with its answers if an earlier run gave them.
+struct CaseToEvaluate : NamedCase {
+  struct Line {
+    std::string where, json;
+  };
+  std::uint64_t index = 0;  ///< in the data set
+  std::optional<Line> line;
+};
+
+inline bool is_anew(const CaseToEvaluate& item) {
+  return !item.line;
+}
+
+/// The cases of a share of a data set, one after the other.
+class CasesToEvaluate {
+ public:
+  /// earlier: the answers to the first cases of the share, which need not be asked; null: none.
+  CasesToEvaluate(const std::vector<std::string>& files, const Shard& shard, RunLines* earlier)
+      : cases_(files), shard_(shard), earlier_(earlier) {}
+
+  /// The next case; nothing at the end. Errors: as CaseStream and RunLines.
+  Result<std::optional<CaseToEvaluate>> next();
+
+ private:
+  CaseStream cases_;
+  Shard shard_;
+  RunLines* earlier_;
+  std::uint64_t index_ = 0;  ///< of the next case
+};
 
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
@@ -20,23 +50,11 @@ struct EvaluateOptions {
   std::vector<double> horizon_factors;
   /// Limits of one case.
   std::function<SearchOptions(const Case&)> search_for;
-  Shard shard;  ///< the part of the cases
-  int threads = 1;
 };
 
-/// Sees a case and its answers. is_new: no earlier run gave them.
-using OnEvaluated = std::function<Result<void>(const NamedCase& named,
-                                               const EvaluatedCase& evaluated, bool is_new)>;
-
-/// earlier: the answers to the first cases of the share, which need not be asked; null: none.
-/// Checks every case of the share (decide_unknown, check_case) and asks every method about it.
-/// on_case sees the cases in their order, the answers by horizon and then by method, whatever the
-/// number of threads. Everything but times is the same in every run. Holds a few cases at a time.
-/// Once stop() is true no more is read, and what was begun still reaches on_case. Errors: of
-/// reading; the first case that is refuted, naming it; a line that is not of the next case; of
-/// on_case.
-Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      RunLines* earlier, const OnEvaluated& on_case,
-                      const std::function<bool()>& stop);
+/// The answers to a case, by horizon and then by method. Checks it (decided_and_checked), and asks
+/// every method unless an earlier run did. Errors: it is refuted; its line is of another case.
+Result<EvaluatedCase> evaluated(CaseToEvaluate& item, const EvaluateOptions& options,
+                                MethodSet& methods);
 
 }  // namespace ccdfuzz

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "eval/paper_rates.hpp"
-#include "files/tree_file.hpp"
 #include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 
@@ -33,7 +32,7 @@ GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
 }
 
 std::string costs_path(const std::string& case_path) {
-  return path_beside(case_path, kCostsEnding);
+  return case_path + std::string(kCostsEnding);
 }
 
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths) {
@@ -56,9 +55,16 @@ Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& c
 
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs) {
   if (is_stream(case_path)) return {};
+  const std::string path = costs_path(case_path);
+  std::error_code error;
+  if (costs.empty() && std::filesystem::is_regular_file(path, error)) {
+    std::filesystem::remove(path, error);
+    return error ? system_error(path, "remove", error.value()) : Result<void>();
+  }
+  if (costs.empty()) return {};
   std::string lines;
   for (const GenerationCost& cost : costs) lines += to_json(cost) + "\n";
-  return write_file(costs_path(case_path), lines);
+  return write_file(path, lines);
 }
 
 void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost) {

@@ -34,15 +34,14 @@ struct GenerationCost {
   GenerationCost& operator+=(const GenerationCost& o);
 };
 
-inline constexpr const char* kCostsEnding = ".generation.jsonl";
 /// Where the costs of a case file are: beside it, since times differ from run to run and the
-/// cases do not. X.json → X.generation.jsonl, and so for .jsonl and .jsonl.zst. It stays:
-/// `evaluate` makes Table 4 of it.
+/// cases do not. X.jsonl → X.jsonl.generation.jsonl. `evaluate` makes Table 4 of it.
 std::string costs_path(const std::string& case_path);
 
 /// The costs of case files, a line each, together (add_cost); none of one that has no such file.
 /// Errors: it holds something else, naming file and line.
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths);
+/// None: the file of older ones is removed. A stream has no such file. Errors: of the file.
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs);
 
 /// Adds a cost to that of the same class and kind, or after all others.

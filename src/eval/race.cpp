@@ -31,10 +31,6 @@ void Race::time(Runner& runner, const Query& query) {
     answer = timed_answer(method, query, options_);
     const double taken = thread_cpu_seconds() - start;
     least = std::min(least, method.runs_elsewhere() ? answer.seconds : taken);
-    if (options_.max_seconds < SearchOptions::kNoTimeLimit) {
-      const double over = answer.seconds - options_.max_seconds;
-      runner.overrun = std::max(runner.overrun.value_or(0), over);
-    }
   }
   answer.seconds = least;
   runner.tally.add(answer,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,9 @@ class Race {
     /// By outcomes undecided (the time is a lower bound), not asked, error and unknown.
     Tally tally = {};
     std::string fault = {};  ///< the first, in words; mostly none
-    /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a
-    /// limit.
-    std::optional<double> overrun = {};
   };
 
-  /// Requires specs that parse_method_list accepts.
+  /// Requires specs that parse_method accepts.
   Race(const std::vector<std::string>& specs, const SearchOptions& options) : options_(options) {
     for (const std::string& spec : specs) runners_.push_back({spec});
   }

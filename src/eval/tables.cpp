@@ -1,6 +1,7 @@
 #include "eval/tables.hpp"
 
 #include <cmath>
+#include <map>
 
 #include "eval/paper_rates.hpp"
 #include "files/query_csv.hpp"
@@ -59,19 +60,26 @@ std::vector<Column<Row>> key_columns(bool kinds, bool horizons) {
   return columns;
 }
 
+/// As wide as any time is, so that the layout of a table does not depend on times.
+Column<Row> time_column(const char* title, double (LogHistogram::*of)() const) {
+  Column<Row> column = measured_column<Row>(
+      title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
+  column.least_width = 7;
+  return column;
+}
+
 Table paper_table(std::vector<Row> rows) {
   std::erase_if(rows, [](const Row& row) { return row.tally.n == 0; });  // all refused
   std::vector<Column<Row>> columns = key_columns(true, false);
   columns.insert(
       columns.end(),
-      {{{"mean"},
-        [](const Row& row) { return TableCell{duration_text(row.tally.seconds.mean())}; }},
+      {time_column("mean", &LogHistogram::mean),
        paper_column("paper's",
                     [](const PaperResult& p) { return std::optional(duration_text(p.seconds)); }),
        {{"FN missed"},
         [](const Row& row) {
           const std::uint64_t missed = row.tally.count(Outcome::kMissed);
-          return TableCell{rate_text({missed, row.tally.positives}), missed > 0};
+          return TableCell{rate_text({missed, row.tally.judged_positives}), missed > 0};
         }},
        paper_column("paper's FN",
                     [](const PaperResult& p) {
@@ -81,25 +89,43 @@ Table paper_table(std::vector<Row> rows) {
        {{"FP"},
         [](const Row& row) {
           const std::uint64_t wrong = row.tally.count(Outcome::kFalsePositive);
-          return TableCell{rate_text({wrong, row.tally.negatives})};
+          return TableCell{rate_text({wrong, row.tally.judged_negatives})};
         }},
        paper_column("paper's FP", [](const PaperResult& p) {
          return std::optional(rate_text(p.false_positives));
        })});
+  add_outcomes(columns, met_in(rows, {Outcome::kLate, Outcome::kUndecided, Outcome::kUnknown,
+                                      Outcome::kError}));
   return table_of(rows, columns, &are_beside);
 }
 
-/// As wide as any time is, so that the layout of a table does not depend on times.
-Column<Row> time_column(const char* title, double (LogHistogram::*of)() const) {
-  Column<Row> column = measured_column<Row>(
-      title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
-  column.least_width = 7;
-  return column;
+/// Below Tables 1, 2 and 4.
+constexpr const char* kPaperNote =
+    "The paper's are of quadratic triangles, as `ccdfuzz generate --paper` makes them\n";
+
+/// Below Tables 1 and 2: of how many queries no rate says anything. The proven ones of a set can be
+/// easier than the others.
+std::string unproven_note(const Rows& rows) {
+  std::map<std::string, std::uint64_t> unproven;  // by class, of the method that was asked most
+  for (const Row& row : at_contact(rows, {kRegularKinds, kGrazingKinds}, "all")) {
+    std::uint64_t& most = unproven[row.key.contact];
+    most = std::max(most, row.tally.n - row.tally.positives - row.tally.negatives);
+  }
+  std::uint64_t count = 0;
+  for (const auto& [contact, most] : unproven) count += most;
+  if (count == 0) return kPaperNote;
+  return kPaperNote +
+         fmt::format(
+             "No rate counts queries without a certificate: {}; `ccdfuzz prove` makes one\n",
+             count);
 }
 
+/// "-" where no answer says it.
 Column<Row> memory_column(const char* title, double (LogHistogram::*of)() const) {
-  return measured_column<Row>(title,
-                              [of](const Row& row) { return size_text((row.tally.bytes.*of)()); });
+  return {{title}, [of](const Row& row) {
+            const LogHistogram& bytes = row.tally.bytes;
+            return TableCell{bytes.largest() > 0 ? size_text((bytes.*of)()) : "-"};
+          }};
 }
 
 /// Appends a column of how late the latest hits are, if any are late.
@@ -175,22 +201,23 @@ std::string answers_path(const std::string& folder) {
 std::vector<NamedTable> evaluation_tables(const Rows& rows,
                                           const std::vector<GenerationCost>& costs) {
   std::vector<NamedTable> tables = {{"Performance", performance_table(by_kinds(rows))}};
-  const auto add = [&](const char* title, Table table) {
-    if (table.row_count() > 0) tables.push_back({title, std::move(table)});
+  const auto add = [&](const char* title, Table table, const std::string& note = "") {
+    if (table.row_count() > 0) tables.push_back({title, std::move(table), note});
   };
-  add("Table 1, beside the paper's", paper_table_1(rows));
-  add("Table 2, beside the paper's", paper_table_2(rows));
+  add("Table 1, beside the paper's", paper_table_1(rows), unproven_note(rows));
+  add("Table 2, beside the paper's", paper_table_2(rows), unproven_note(rows));
   add("Table 3, beside the paper's", paper_table_3(rows));
-  add("Table 4: making the cases, beside the paper's", generation_table(costs));
+  add("Table 4: making the cases, beside the paper's", generation_table(costs), kPaperNote);
   return tables;
 }
 
 Result<void> write_tables(const std::string& folder, const Rows& rows,
                           const std::vector<GenerationCost>& costs) {
   std::string markdown, lines;
-  for (const auto& [title, table] : evaluation_tables(rows, costs)) {
+  for (const auto& [title, table, note] : evaluation_tables(rows, costs)) {
     markdown +=
         fmt::format("{}## {}\n\n{}", markdown.empty() ? "" : "\n", title, table.to_markdown());
+    if (!note.empty()) markdown += "\n" + note;
   }
   for (const GenerationCost& cost : costs) lines += to_json(cost) + "\n";
   for (const Row& row : by_kinds(rows)) lines += to_json(row) + "\n";

@@ -46,7 +46,9 @@ Column<Row> text_column(const char* title, const Text& text) {
 /// A measurement of the answers: "-" where there was none.
 template <class Row, class Text>
 Column<Row> measured_column(const char* title, const Text& text) {
-  return {{title}, [text](const Row& row) { return TableCell{row.tally.n > 0 ? text(row) : "-"}; }};
+  return {{title}, [text](const Row& row) {
+            return TableCell{row.tally.seconds.count() > 0 ? text(row) : "-"};
+          }};
 }
 
 /// A count with its share of `of`.
@@ -54,8 +56,8 @@ inline TableCell count_cell(std::uint64_t count, std::uint64_t of, bool is_bad) 
   return {count_text(count, of), is_bad && count > 0};
 }
 
-/// Appends for each outcome how many answers had it, of those where it may be. "-" where it may not
-/// be. has_share: with its share of these.
+/// Appends for each outcome how many answers had it, of those that its rate is of. "-" where there
+/// are none. has_share: with its share of these.
 template <class Row>
 void add_outcomes(std::vector<Column<Row>>& columns, const std::vector<Outcome>& outcomes,
                   bool has_share = true) {
@@ -86,15 +88,19 @@ Column<Row> asked_column() {
   return {{"n"}, [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
 }
 
-/// Below a table: what its columns of false positives and of refused queries count. Empty if there
-/// is nothing in them.
+/// Below a table: what its columns of false positives, late hits and refused queries count. Empty
+/// if there is nothing in them.
 template <class Row>
 std::string column_notes(const std::vector<Row>& rows) {
   const auto wrong = [](const Row& row) { return row.tally.count(Outcome::kFalsePositive) > 0; };
+  const auto late = [](const Row& row) { return row.tally.late_by > 0; };
   const auto refused = [](const Row& row) { return row.tally.not_asked() > 0; };
   return std::string(std::ranges::any_of(rows, wrong)
                          ? "FP: false positives, hits although nothing touches\n"
                          : "") +
+         (std::ranges::any_of(rows, late)
+              ? "late by ≤: the greatest known delay of a hit, in the unit of t\n"
+              : "") +
          (std::ranges::any_of(rows, refused)
               ? "not asked: queries that a method refused; `ccdfuzz query` says why\n"
               : "");
@@ -117,7 +123,8 @@ Table performance_table(const std::vector<Row>& rows);
 Table methods_table(const std::vector<Row>& rows);
 
 /// Mean times, false positives and false negatives (missed: the paper's only sort) beside the
-/// paper's. Positives asked beyond the contact do not count. Table 1: regular and grazing cases
+/// paper's; then what no rate counts, and late hits. Positives asked beyond the contact do not
+/// count. Table 1: regular and grazing cases
 /// as one, where the answers are to both; empty otherwise. Table 2: regular, then grazing cases.
 /// Table 3: linear queries.
 Table paper_table_1(const Rows& rows);
@@ -133,7 +140,11 @@ std::string answers_path(const std::string& folder);
 
 /// The tables as they are printed: performance, Tables 1 to 3 beside the paper's, Table 4; those of
 /// which there is nothing to say are left out.
-using NamedTable = std::pair<std::string, Table>;
+struct NamedTable {
+  std::string title;
+  Table table;
+  std::string note = {};  ///< a line below it; empty if there is none
+};
 std::vector<NamedTable> evaluation_tables(const Rows& rows,
                                           const std::vector<GenerationCost>& costs);
 

@@ -13,9 +13,6 @@ struct JsonForm<BodyTurn> {
     archive("from", turn.from);
     archive("to", turn.to);
     archive.optional("centre", turn.centre, Vec3<double>(0, 0, 0));
-    if constexpr (kReads<decltype(archive)>) {
-      if (const auto fault = fault_of(turn)) archive.object().refuse_below(*fault);
-    }
   }
 };
 
@@ -24,14 +21,10 @@ struct SpinInFiles {
   BodyTurn turn;
 
   static void fields(auto& archive, auto& spin) {
-    archive("velocity", spin.turn.spin);
+    archive("velocity", spin.turn.spin, [](const auto& numbers) {
+      return numbers.empty() ? "has 0 numbers, and needs 3" : "";  // it would be no spin
+    });
     archive.optional("centre", spin.turn.centre, Vec3<double>(0, 0, 0));
-    if constexpr (kReads<decltype(archive)>) {
-      // Without a number it would be no spin.
-      const auto fault = spin.turn.is_spin() ? fault_of(spin.turn)
-                                             : InputError{"velocity", "has 0 numbers, and needs 3"};
-      if (fault) archive.object().refuse_below(*fault);
-    }
   }
 };
 

@@ -13,6 +13,17 @@
 
 namespace ccdfuzz {
 
+/// The cases of a file one after the other.
+class CaseFile {
+ public:
+  virtual ~CaseFile() = default;
+
+  /// The next case; nothing at the end, but an error where there was none at all.
+  virtual Result<std::optional<NamedCase>> next() = 0;
+  /// Bytes of the file, which may be compressed, read so far.
+  virtual std::uint64_t position() const = 0;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,12 +89,12 @@ class JsonCases : public CaseFile {
 /// A query CSV.
 class CsvCases : public CaseFile {
  public:
-  CsvCases(CsvReader reader, bool round) : reader_(std::move(reader)), round_(round) {}
+  CsvCases(CsvReader reader, CsvOptions csv) : reader_(std::move(reader)), csv_(std::move(csv)) {}
 
   Result<std::optional<NamedCase>> next() override {
     CCDFUZZ_TRY(auto rows, reader_.next());
     if (!rows) return std::nullopt;
-    CCDFUZZ_TRY(auto value, to_case(*rows, round_, index_++));
+    CCDFUZZ_TRY(auto value, to_case(*rows, csv_, index_++));
     const CsvQuery& query = *rows;
     return NamedCase{query.id(), std::move(value), query.path,
                      std::make_shared<const CsvQuery>(*std::move(rows))};
@@ -92,7 +103,7 @@ class CsvCases : public CaseFile {
 
  private:
   CsvReader reader_;
-  bool round_;
+  CsvOptions csv_;
   std::uint64_t index_ = 0;
 };
 
@@ -107,6 +118,19 @@ Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
                        "is a folder without a .csv in it; accepted are such folders, and files of "
                        "cases: .json, .jsonl, .jsonl.zst, .csv");
   return files;
+}
+
+Result<std::unique_ptr<CaseFile>> open_cases(const std::string& path, const CsvOptions& csv) {
+  if (csv.any_name || path.ends_with(".csv")) {
+    CCDFUZZ_TRY(auto reader, CsvReader::open(path, csv));
+    return std::make_unique<CsvCases>(std::move(reader), csv);
+  }
+  if (path == "-") return tl::unexpected(case_file_kind(path).error());
+  // A wrong name is told as such before a wrong ending.
+  CCDFUZZ_TRY(auto lines, LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes));
+  const auto kind = case_file_kind(path);
+  if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
+  return std::make_unique<JsonCases>(std::move(lines), *kind);
 }
 
 }  // namespace
@@ -124,22 +148,12 @@ std::uint64_t SourceBytes::times(std::uint64_t each) const {
   return is_known_ && bytes_ < kMost / each ? bytes_ * each : kMost;
 }
 
-Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const CsvOptions& csv) {
-  if (csv.any_name || path.ends_with(".csv")) {
-    CCDFUZZ_TRY(auto reader, CsvReader::open(path, csv));
-    return std::make_unique<CsvCases>(std::move(reader), csv.round);
-  }
-  if (path == "-") return tl::unexpected(case_file_kind(path).error());
-  // A wrong name is told as such before a wrong ending.
-  CCDFUZZ_TRY(auto lines, LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes));
-  const auto kind = case_file_kind(path);
-  if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
-  return std::make_unique<JsonCases>(std::move(lines), *kind);
-}
-
 Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
+  const auto is_of_costs = [](const std::string& path) { return path.ends_with(kCostsEnding); };
+  const bool has_others = !std::ranges::all_of(paths, is_of_costs);
   for (const std::string& path : paths) {
+    if (has_others && is_of_costs(path)) continue;
     std::error_code ignored;
     if (!fs::is_directory(path, ignored)) {
       files.push_back(path);
@@ -157,12 +171,14 @@ CaseStream::CaseStream(const std::vector<std::string>& paths, CsvOptions csv)
   for (const std::string& path : *paths_) size_ += size_of(path);
 }
 
+CaseStream::~CaseStream() = default;
+
 Result<std::optional<NamedCase>> CaseStream::next() {
   if (!paths_) return tl::unexpected(paths_.error());
   for (; index_ < paths_->size(); ++index_) {
     const std::string& path = (*paths_)[index_];
     if (!file_) {
-      CCDFUZZ_TRY(file_, CaseFile::open(path, csv_));
+      CCDFUZZ_TRY(file_, open_cases(path, csv_));
     }
     auto given = file_->next();
     if (given && *given && size_ > 0) {

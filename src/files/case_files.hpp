@@ -19,7 +19,7 @@ namespace ccdfuzz {
 struct NamedCase {
   std::string id;
   Case value;
-  std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
+  std::string file = {};                      ///< that it was read from; empty: from none
   std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
   double share = 0;  ///< how much of the files of its CaseStream had been read then, in [0, 1]
 };
@@ -38,39 +38,32 @@ class SourceBytes {
   bool is_known_ = true;
 };
 
-/// No case comes near this; it bounds the memory that a wrong file takes.
-inline constexpr size_t kMaxCaseBytes = 1 << 20;
+/// No case comes near this, which is 1 MiB besides a miss tree in hex digits. It bounds the memory
+/// that a wrong file takes.
+inline constexpr size_t kMaxCaseBytes = (1 << 20) + 2 * MissTree::kMaxBytes;
 
-/// The cases of a file one after the other, holding one at a time. The ending says how they are
-/// stored. .json: one case. .jsonl: one per line; CR LF and up to 1,000 blank lines are accepted.
-/// .jsonl.zst: the same, compressed by zstd. .csv: a query CSV, whose cases have no truth. A device
-/// or a pipe is read as .jsonl whatever its name.
-class CaseFile {
- public:
-  /// Errors: another ending, no such file, a folder, unreadable; naming the path. As
-  /// CsvReader::open.
-  static Result<std::unique_ptr<CaseFile>> open(const std::string& path, const CsvOptions& csv);
-  virtual ~CaseFile() = default;
-
-  /// The next case; nothing at the end. Errors: as parse_case, CsvReader::next and to_query, and a
-  /// truncated or corrupt file, or one that holds no case at all; naming path and line. No reading
-  /// on after an error.
-  virtual Result<std::optional<NamedCase>> next() = 0;
-  /// Bytes of the file, which may be compressed, read so far.
-  virtual std::uint64_t position() const = 0;
-};
+/// How the names of files end that say what the cases of a data set beside them cost to make.
+inline constexpr std::string_view kCostsEnding = ".generation.jsonl";
 
 /// The files that the paths name: of a folder all .csv files in it and in its folders, by name.
+/// Where others are named too, as by *.jsonl, files of costs are left out.
 /// Errors: a folder that cannot be read or has none, naming it.
 Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths);
 
-/// The cases of several files (case_files) one after the other, holding one at a time.
+class CaseFile;
+
+/// The cases of several files (case_files) one after the other, holding one at a time. The ending
+/// says how they are stored. .json: one case. .jsonl: one per line; CR LF and up to 1,000 blank
+/// lines are accepted. .jsonl.zst: the same, compressed by zstd. .csv: a query CSV, whose cases
+/// have no truth. A device or a pipe is read as .jsonl whatever its name.
 class CaseStream {
  public:
   explicit CaseStream(const std::vector<std::string>& paths, CsvOptions csv = {});
+  ~CaseStream();
 
-  /// The next case; nothing at the end. Errors: as case_files and CaseFile. No reading on after an
-  /// error.
+  /// The next case; nothing at the end. Errors: as case_files; another ending, no such file, a
+  /// folder, unreadable, truncated, corrupt, or without any case; as parse_case, CsvReader and
+  /// to_query; naming path and line. No reading on after an error.
   Result<std::optional<NamedCase>> next();
 
  private:
@@ -92,9 +85,10 @@ class CaseWriter {
   static Result<CaseWriter> open(const std::string& path);
 
   Result<void> write(const Case& value);
-  /// Writes all but the name, so that files beside it may appear first. Nothing is written after.
+  /// Writes all but the name, so that a file beside it may appear first. Nothing is written after.
+  /// Errors also: a .json of no case.
   Result<void> complete();
-  /// Must come last.
+  /// Must come last. Errors: as complete.
   Result<void> finish();
 
  private:

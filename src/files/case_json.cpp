@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/hex_bytes.hpp"
 #include "base/verify.hpp"
-#include "bezier/trim.hpp"
 #include "files/body_json.hpp"
 #include "files/expected_json.hpp"
 #include "io/fields.hpp"
@@ -57,6 +57,14 @@ struct JsonForm<Vec3<double>> {
   }
 };
 
+namespace {
+
+std::string not_empty(const Points<double>& points) {
+  return points.empty() ? "has none; a patch without them has no such key" : "";
+}
+
+}  // namespace
+
 template <>
 struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
@@ -70,68 +78,44 @@ struct JsonForm<MovingPatch<double>> {
     } else if (shape.parameter_count() > 0) {
       archive("degree", shape.n, degree);
     }
-    const auto right_count = [&](const Points<double>& points) {
-      if (std::cmp_equal(points.size(), shape.control_count())) return std::string();
-      return fmt::format("has {} control points; {} has {}", points.size(), to_text(shape),
-                         shape.control_count());
-    };
     if (shape.kind == ShapeKind::kHull) {
       of_hull(archive, patch);
       return;
     }
-    archive("positions", patch.positions, right_count);
+    archive("positions", patch.positions);
     if constexpr (kReads<decltype(archive)>) {
       const bool has_ends = archive.object().find("ends").has_value();
       if (has_ends && archive.object().find("velocities")) {
         archive.object().at("ends").refuse("stands beside velocities; a patch has one of them");
       }
-      has_ends ? archive("ends", patch.ends, right_count)
-               : archive("velocities", patch.velocities, right_count);
+      has_ends ? archive("ends", patch.ends, not_empty) : archive("velocities", patch.velocities);
     } else {
       patch.has_ends() ? archive("ends", patch.ends) : archive("velocities", patch.velocities);
     }
-    archive.optional("weights", patch.weights, {}, Each{positive}, [&](const auto& weights) {
-      if (weights.size() != patch.positions.size()) {
-        return fmt::format("has {} weights of {} control points", weights.size(),
-                           patch.positions.size());
-      }
-      if (are_weights(weights)) return std::string();
-      const auto [least, most] = std::ranges::minmax_element(weights);
-      return fmt::format("{}: {} at [{}] and {} at [{}]", spread_of_weights(), *least,
-                         least - weights.begin(), *most, most - weights.begin());
+    archive.optional("weights", patch.weights, {}, [](const auto& weights) {
+      return weights.empty() ? "has none; a patch without weights has no such key" : "";
     });
     archive.optional("trim", patch.trim, {}, [](const Trim& trim) {
       return trim.empty() ? "has no loop; a patch that is whole has no such key" : "";
     });
-    if constexpr (kReads<decltype(archive)>) {
-      if (const auto fault = fault_of(patch.trim, shape)) archive.object().refuse_below(*fault);
-    }
   }
 
  private:
   static void of_hull(auto& archive, auto& patch) {
-    archive("positions", patch.positions, [&](const Points<double>& points) {
+    archive("positions", patch.positions, [](const Points<double>& points) {
       const bool fits = !points.empty() && points.size() <= size_t{kMaxControls};
-      return fits ? ""
-                  : fmt::format("has {} points; a hull has 1..{}", points.size(), kMaxControls);
+      return fits ? "" : fmt::format("has {}; a hull has 1..{}", points.size(), kMaxControls);
     });
     if constexpr (kReads<decltype(archive)>) {
       patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
     }
-    archive("velocities", patch.velocities, [](const Points<double>& velocities) {
-      return velocities.size() == 1
-                 ? ""
-                 : fmt::format("has {} velocities; a hull has 1", velocities.size());
-    });
-    archive.optional("radius", patch.radius, 0, not_negative);
+    archive("velocities", patch.velocities);
+    archive.optional("radius", patch.radius);
     turn_fields(archive, patch.turn);
     face_fields(archive, patch);
     int sides = patch.one_sided ? 1 : 2;
     archive.optional("sides", sides, 2, Within{1, 2});
-    if constexpr (kReads<decltype(archive)>) {
-      patch.one_sided = sides == 1;
-      if (const auto fault = fault_of_faces(patch)) archive.object().refuse_below(*fault);
-    }
+    if constexpr (kReads<decltype(archive)>) patch.one_sided = sides == 1;
   }
 };
 
@@ -173,16 +157,18 @@ struct JsonForm<ContactRoot> {
 };
 
 template <>
-struct JsonForm<TreeRef> {
-  static void fields(auto& archive, auto& tree) {
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
-    archive("offset", tree.offset, Within{std::uint64_t{0}, kMost});
-    archive("length", tree.length, Within{std::uint64_t{1}, kMost});
-    archive("xxh3", tree.xxh3, [](const std::string& hash) {
-      const bool good =
-          hash.size() == 32 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
-      return std::string(good ? "" : "is not 32 lower-case hexadecimal digits");
-    });
+struct JsonForm<TreeBytes> {
+  static void write(std::string& json, const TreeBytes& tree) {
+    json += json_string(to_hex_bytes(tree.bytes));
+  }
+  static void read(const JsonCursor& from, TreeBytes& tree) {
+    if (from.value().kind == JsonKind::kObject) return;  // the place of one in another file
+    std::optional<std::string> bytes = parse_hex_bytes(from.string());
+    if (!bytes) from.refuse("is not pairs of hex digits 0-9a-f");
+    if (bytes->size() > MissTree::kMaxBytes) {
+      from.refuse(fmt::format("has {} bytes; the most is {}", bytes->size(), MissTree::kMaxBytes));
+    }
+    tree.bytes = *std::move(bytes);
   }
 };
 
@@ -333,14 +319,11 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
 
 void query_fields(auto& archive, auto& query) {
   archive("patches", query.patches);
+  archive("t_max", query.t_max);
+  archive.optional("separation", query.separation);
   if constexpr (kReads<decltype(archive)>) {
-    if (const auto fault = fault_of_pair(query.patches)) archive.object().refuse_below(*fault);
+    if (const auto fault = fault_of(query)) archive.object().refuse_below(*fault);
   }
-  archive("t_max", query.t_max, not_negative, [&](double t_max) {
-    return is_past_motion(query, t_max) ? fmt::format("is past 1, where {}", end_of_motion(query))
-                                        : "";
-  });
-  archive.optional("separation", query.separation, 0, not_negative);
 }
 
 void case_fields(auto& archive, auto& value) {

@@ -6,7 +6,6 @@
 
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/work_done.hpp"
-#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -55,13 +54,8 @@ Result<void> RunWork::add(const NamedCase& named, std::uint64_t work) {
                   most));
 }
 
-Result<CheckedCase> check_with_trees(Case value, const std::string& trees) {
-  CCDFUZZ_TRY(const auto tree, tree_of(value.truth, trees));
-  return check_case(std::move(value), tree);
-}
-
 Result<CheckedCase> check_case(const NamedCase& named) {
-  auto checked = check_with_trees(named.value, named.file.empty() ? "" : trees_path(named.file));
+  auto checked = check_case(named.value);
   if (checked) return checked;
   InputError error = checked.error();
   error.where = fmt::format("{}: {}", named.id, error.where);
@@ -72,16 +66,6 @@ Result<std::optional<NamedCase>> next_checked(CaseStream& cases) {
   CCDFUZZ_TRY(auto next, cases.next());
   if (next) CCDFUZZ_TRY_VOID(check_in_run(*next));
   return next;
-}
-
-Result<void> for_each_checked_case(const std::vector<std::string>& paths,
-                                   const std::function<Result<void>(const NamedCase&)>& visit) {
-  CaseStream cases(paths);
-  for (;;) {
-    CCDFUZZ_TRY(const auto next, next_checked(cases));
-    if (!next) return {};
-    CCDFUZZ_TRY_VOID(visit(*next));
-  }
 }
 
 Result<NamedCase> read_checked_case(const std::string& path) {

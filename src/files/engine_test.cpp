@@ -3,17 +3,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "base/nearest_float.hpp"
+#include "base/read_double.hpp"
 #include "base/text.hpp"
 #include "base/verify.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
-#include "files/engine_tolerance.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_turning.hpp"
+#include "certify/oracle/body_depth.hpp"
+#include "certify/oracle/outcome_of.hpp"
 #include "files/engine_words.hpp"
 #include "numeric/exact_scalars.hpp"
 
@@ -62,6 +68,19 @@ std::string readable(const std::vector<Rational>& numbers) {
   return is_long ? "about " + text : text;
 }
 
+/// The point of a body that a witness has, at its time. Requires a witness of bodies.
+Vec3<Rational> touched_point(const Case& value, size_t side) {
+  const MovingPatch<double>& body = value.query.patches[side];
+  const Witness& witness = *value.truth.witness;
+  Vec3<Rational> sum{Rational(0), Rational(0), Rational(0)};
+  for (size_t i = 0; i < body.positions.size(); ++i) {
+    sum += witness.weights[side][i] * exact(body.positions[i]);
+  }
+  Work work(kMostWork);
+  const auto moved = moved_point(body, sum, witness.t, work);
+  return moved ? moved->point : sum;
+}
+
 /// The place of the body that the test has first: a mesh is the second.
 size_t first_body(const Query& query) {
   return has_mesh(query) ? 1 - mesh_side(query) : 0;
@@ -73,17 +92,24 @@ size_t first_body(const Query& query) {
 std::string proof_text(const Case& value, const EngineWords& engine, double step, bool touches) {
   const Query& query = value.query;
   const auto& witness = value.truth.witness;
+  const bool is_apart = query.separation > 0;
   if (!touches) {
-    if (query.t_max >= step) return "Nothing touches on the way.";
+    const std::string nothing =
+        is_apart ? fmt::format("Nothing comes as near as {}", query.separation) : "Nothing touches";
+    if (query.t_max >= step) return nothing + " on the way.";
     const Rational part = exact(query.t_max) / exact(step);
-    return fmt::format("Nothing touches in the first {} of the way.", readable({part}));
+    return fmt::format("{} in the first {} of the way.", nothing, readable({part}));
   }
+  const std::string apart = fmt::format("{} apart or less", query.separation);
   if (!witness) {
     const Rational part = *value.truth.contact_by() / exact(step);
-    return fmt::format("They touch by {:.17g} of the way.", part.get_d());
+    return fmt::format("They {} by {:.17g} of the way.", is_apart ? "are " + apart : "touch",
+                       part.get_d());
   }
   const std::string at = fmt::format("At {} of the way", readable({witness->t / exact(step)}));
-  if (!is_of_bodies(query)) return at + " they have a point in common.";
+  if (!is_of_bodies(query)) {
+    return fmt::format("{} they {}.", at, is_apart ? "are " + apart : "have a point in common");
+  }
   const size_t first = first_body(query), second = 1 - first;
   std::array<std::string, 2> points;
   for (const size_t side : {first, second}) {
@@ -113,10 +139,79 @@ std::string kind_of(const Query& query) {
                      kNames.at(static_cast<size_t>(most)));
 }
 
-/// How long the step is, as the adapter makes it.
+/// How long the step is in which a share of 1 ends, as the adapter makes it.
 double step_of(const Query& query, const EngineWords& engine) {
-  if (has_ends(query)) return 1;
+  if (has_ends(query) || (has_turns(query) && engine.has("turn"))) return 1;
   return engine.is_exact() ? std::exp2(std::ceil(std::log2(query.t_max))) : query.t_max;
+}
+
+/// A number that `origin` of a find says; 0 where it says none.
+double said_of(const Origin& origin, const char* name) {
+  const auto said = origin.more.find(name);
+  double x = 0;
+  if (said != origin.more.end()) {
+    read_double(said->second.data(), said->second.data() + said->second.size(), x);
+  }
+  return x;
+}
+
+/// Whether the plug-in of the engine's name was asked about the case.
+bool is_find_of(const Case& value, std::string_view engine) {
+  return value.expect.contains(fmt::format("plugin:{}", engine));
+}
+
+/// By what an answer of the engine is judged: its own tolerances, or what its judge allowed, if the
+/// case is a find of it. Far from the origin that is more.
+AnswerTerms terms_of(const Case& value, const EngineWords& engine, double step) {
+  const bool is_of_engine = is_find_of(value, engine.engine);
+  const auto allowed = [&](double own, const char* name) {
+    return is_of_engine ? std::max(own, said_of(value.origin, name)) : own;
+  };
+  const char* depth = has_mesh(value.query)    ? "mesh depth"
+                      : has_spins(value.query) ? "spin depth"
+                                               : "depth";
+  AnswerTerms terms;
+  terms.time_tolerance = allowed(engine.number("late") * step, kTimeAllowed);
+  terms.depth_tolerance =
+      allowed(engine.number(engine.has(depth) ? depth : "depth"), kDepthAllowed);
+  terms.in_plane = engine.has("plane");
+  return terms;
+}
+
+/// How much later than the contact hits are judged right, as a part of a step, rounded up to six
+/// digits. What turns may be judged right again after it has passed through. Nothing is allowed
+/// from where on nothing is known of a hit.
+double allowed_delay(const Case& value, const AnswerTerms& terms, double step) {
+  const CheckedCase known = checked_or_unknown(value);
+  const Rational contact = *value.truth.contact_by();
+  const auto& [a, b] = value.query.patches;
+  const bool is_open =
+      has_turns(value.query) && is_measured(a.positions.size(), b.positions.size());
+  const auto is_late = [&](double t) {
+    const Outcome outcome = outcome_of(known, Answer::hit(t), terms, true);
+    // What turns is not proven to be right, but it is wrong from where on it is deeper.
+    return is_open ? is_false_negative(outcome) : outcome != Outcome::kCorrect;
+  };
+  constexpr int kDoublings = 20;
+  const double begin = round_down(contact), way = value.query.t_max - begin;
+  double right = begin, late = begin;
+  for (int left = kDoublings; left >= 0 && !is_late(late); --left) {
+    right = late;
+    late = left == 0 ? value.query.t_max : begin + std::ldexp(way, -left);
+  }
+  if (!is_late(late)) right = late;
+  for (double t; t = std::midpoint(right, late), right < t && t < late;) {
+    (is_late(t) ? late : right) = t;
+  }
+  const double delay = Rational((exact(right) - contact) / exact(step)).get_d();
+  if (!(delay > 0)) return 0;
+  const auto rounded = [](double x) {
+    return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr);
+  };
+  const double unit = std::pow(10, std::floor(std::log10(delay)) - 5), nearest = rounded(delay);
+  // More than depths are off by, which are right to a few ulps; less than any digit here.
+  constexpr double kOff = 0x1p-40;
+  return nearest < delay * (1 - kOff) ? rounded(nearest + unit) : nearest;
 }
 
 Result<std::string> features_text(const NamedCase& named, const EngineWords& engine) {
@@ -176,7 +271,7 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                                         : "has no tests of meshes");
   const bool has_two_sides = has_one && !bodies[1]->one_sided;
   const std::string sides = has_two_sides ? engine.word("both sides").value_or("") : "";
-  const double step = step_of_bodies(query, engine);
+  const double step = step_of(query, engine);
   std::array<EngineWords::Shaped, 2> shapes;
   std::array<std::string, 2> sweeps;
   for (size_t side = 0; side < 2; ++side) {
@@ -214,11 +309,13 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__FRACTION__", fmt::format("{}", query.t_max / step)}}));
 }
 
-/// A comment that says with which version of the engine the case was found, and how deep, where the
-/// file says it. Only in ASCII: in JavaScript a comment ends at some other characters, too.
-std::string origin_text(const Origin& origin, double tolerance) {
+/// A comment that says with which version of the engine the case was found, and how deep. Nothing
+/// where the file does not say it of the plug-in of the engine's name. Only in ASCII: in JavaScript
+/// a comment ends at some other characters, too.
+std::string origin_text(const Case& value, std::string_view engine, double tolerance) {
+  const Origin& origin = value.origin;
   const auto version = origin.more.find("version");
-  if (version == origin.more.end()) return "";
+  if (version == origin.more.end() || !is_find_of(value, engine)) return "";
   const bool is_plain =
       std::ranges::all_of(version->second, [](char c) { return ' ' <= c && c <= '~'; });
   if (!is_plain) return "";
@@ -256,11 +353,12 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name, T
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   if (!question || part == TestPart::kQuestion) return question;
   const Query moved = with_velocities(value.query).value_or(value.query);
-  const double step = is_of_features ? step_of(moved, engine) : step_of_bodies(moved, engine);
+  const double step = step_of(moved, engine);
+  const AnswerTerms terms = terms_of(value, engine, step);
   std::optional<double> latest;
-  const double delay = touches ? allowed_delay(value, engine, step) : 0;
+  const double delay = touches ? allowed_delay(value, terms, step) : 0;
   if (touches) latest = round_up(Rational(*contact / exact(step))) + delay;
-  std::string proof = origin_text(value.origin, depth_allowed(value, engine));
+  std::string proof = origin_text(value, name, terms.depth_tolerance);
   const bool starts_in_contact = touches && *contact == 0 && is_of_bodies(value.query);
   const std::string_view promise = starts_in_contact ? of_engine->overlap : of_engine->promise;
   if (!promise.empty() && (!engine.has("still promise") || !has_turns(value.query))) {

@@ -44,16 +44,16 @@ struct EngineTemplate {
 std::span<const EngineTemplate> engine_templates();
 
 /// How much of a test is made: all, or the query alone, which tells at once whether there is a
-/// test. How late an answer about bodies may be takes up to 0.1 s to find.
+/// test. How late an answer may be takes up to 0.1 s to find.
 enum class TestPart : std::uint8_t { kAll, kQuestion };
 
 /// A complete test file that asks the engine itself the query of a case, as its adapter does. It
 /// fails where the engine misses the proven contact, is late for it, or reports one where none is
-/// proven. It needs nothing of ccdfuzz. For engines of npm it is a module for Node, for others a
-/// GoogleTest or what the template says. Requires a checked case, and an engine of
-/// engine_templates(). Errors, naming the case: it is of other shapes than the engine has; neither
-/// a contact within t_max nor its absence is proven. Or nothing touches, and the engine may be
-/// early.
+/// proven. Late is what outcome_of takes for late, by the engine's own tolerance. It needs nothing
+/// of ccdfuzz. For engines of npm it is a module for Node, for others a GoogleTest or what the
+/// template says. Requires a checked case, and an engine of engine_templates(). Errors, naming the
+/// case: it is of other shapes than the engine has; neither a contact within t_max nor its absence
+/// is proven. Or nothing touches, and the engine may be early.
 Result<std::string> engine_test(const NamedCase& named, std::string_view engine,
                                 TestPart part = TestPart::kAll);
 

@@ -58,7 +58,8 @@ struct CsvOptions {
   std::optional<CsvLayout> layout = {};  ///< for all files; absent: what the path of each tells
   std::string truths = {};               ///< a JSON list of truths; empty: there is none
   bool round = true;                     ///< numbers that are no doubles; otherwise refuse them
-  bool any_name = false;                 ///< whatever its path ends in, a file is one
+  bool round_ways = false;  ///< take the velocities nearest to ways that are no doubles
+  bool any_name = false;    ///< whatever its path ends in, a file is one
 };
 
 /// Reads a query CSV one query after the other. A row is xn,xd,yn,yd,zn,zd, numerators and
@@ -100,11 +101,11 @@ class CsvReader {
 /// naming file, row, column and value: such a number; one past the range of doubles in any case.
 Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded);
 
-/// The query (to_query) as a case without a truth. What the file says is origin.more["label"], 0 or
-/// 1, and how many numbers are not those of the file origin.more["rounded"], if any. A linear query
-/// has its class, EE or VF, and the kind kLinearKind. index: of the query in its file. Errors: as
-/// to_query.
-Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index);
+/// The query (to_query) as a case without a truth, with velocities if ways are to be rounded. What
+/// the file says is origin.more["label"], 0 or 1, and how many numbers are not those of the file
+/// origin.more["rounded"], if any. A linear query has its class, EE or VF, and the kind
+/// kLinearKind. index: of the query in its file. Errors: as to_query.
+Result<Case> to_case(const CsvQuery& from, const CsvOptions& options, std::uint64_t index);
 inline constexpr std::string_view kLinearKind = "linear";
 
 /// The rows of a query, the vertex or edge 1 first; its end points are those at t_max. Rounds as

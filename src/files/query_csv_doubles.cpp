@@ -43,6 +43,26 @@ Result<double> as_double(const Rational& x, bool round, std::uint64_t& rounded,
   return nearest;
 }
 
+/// Puts the velocities nearest to the ways in place of ends. Returns how many are others. Ends stay
+/// where a way is past the range of doubles.
+std::uint64_t round_ways(MovingPatch<double>& patch) {
+  Points<double> ways(patch.ends.size());
+  std::uint64_t others = 0;
+  for (size_t i = 0; i < ways.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Rational way = exact(patch.ends[i][k]) - exact(patch.positions[i][k]);
+      ways[i][k] = nearest_double(way);
+      if (std::isinf(ways[i][k])) return 0;
+      if (exact(ways[i][k]) != way) ++others;
+    }
+  }
+  if (!ways.empty()) {
+    patch.velocities = std::move(ways);
+    patch.ends.clear();
+  }
+  return others;
+}
+
 }  // namespace
 
 Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded) {
@@ -71,10 +91,13 @@ Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded)
   return with_velocities(query).value_or(query);
 }
 
-Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index) {
+Result<Case> to_case(const CsvQuery& from, const CsvOptions& options, std::uint64_t index) {
   std::uint64_t rounded = 0;
   Case value;
-  CCDFUZZ_TRY(value.query, to_query(from, round, rounded));
+  CCDFUZZ_TRY(value.query, to_query(from, options.round, rounded));
+  if (options.round_ways) {
+    for (MovingPatch<double>& patch : value.query.patches) rounded += round_ways(patch);
+  }
   Origin& origin = value.origin;
   origin.generator = "import";
   origin.index = index;

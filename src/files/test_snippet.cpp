@@ -82,17 +82,27 @@ bool is_proven_clear(const Case& value) {
   return clearance && covers(*clearance, exact(value.query.t_max));
 }
 
+/// What a contact is.
+std::string contact_words(const Query& query) {
+  return query.separation > 0 ? fmt::format("they are {} apart or less", query.separation)
+                              : "they touch";
+}
+
 /// What is proven, for people.
 std::string truth_text(const Case& value) {
   const Truth& truth = value.truth;
+  const std::string touch = contact_words(value.query);
   if (truth.witness && truth.collides == true && !is_of_bodies(value.query)) {
     const auto& uv = truth.witness->uv;
-    return fmt::format("they touch at t = {}, (u, v) = ({}, {}) and ({}, {}), exactly",
+    return fmt::format("{} at t = {}, (u, v) = ({}, {}) and ({}, {}), exactly", touch,
                        to_text(truth.witness->t), to_text(uv[0][0]), to_text(uv[0][1]),
                        to_text(uv[1][0]), to_text(uv[1][1]));
   }
-  if (truth.collides == true) return "they touch by t = " + to_text(*truth.contact_by());
-  if (is_proven_clear(value)) return "nothing touches in [0, t_max]";
+  if (truth.collides == true) return touch + " by t = " + to_text(*truth.contact_by());
+  if (is_proven_clear(value)) {
+    return fmt::format("nothing {} in [0, t_max]",
+                       value.query.separation > 0 ? "comes so near" : "touches");
+  }
   return "nothing is proven of contacts: an answer is all that is wanted";
 }
 
@@ -101,7 +111,7 @@ std::string contact_text(const Case& value) {
   const std::optional<Rational> by = value.truth.contact_by();
   if (!by || *by > exact(value.query.t_max)) return truth_text(value);
   const double t = round_up(*by);
-  return fmt::format("they touch by t = {} ({})", t, to_hex(t));
+  return fmt::format("{} by t = {} ({})", contact_words(value.query), t, to_hex(t));
 }
 
 /// What these tests have no place for; nothing if a query has none of it.
@@ -128,8 +138,7 @@ std::string excuse_text(const Case& value, const Rational& contact) {
   const auto& [a, b] = query.patches;
   const Vec3<Rational> way = exact(a.velocities[0]) - exact(b.velocities[0]);
   Rational squared = dot(way, way), since = contact;
-  const auto* apart =
-      value.truth.clearance ? std::get_if<BodyClearance>(&*value.truth.clearance) : nullptr;
+  const auto* apart = clearance_of<BodyClearance>(value.truth);
   if (apart != nullptr) {
     const Vec3<Rational> normal(apart->normal[0], apart->normal[1], apart->normal[2]);
     const Rational nearer = dot(normal, way);

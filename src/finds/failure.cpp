@@ -16,6 +16,9 @@ namespace ccdfuzz {
 
 namespace {
 
+/// The fields of an origin that say what a judge measured and allowed.
+constexpr std::array kMeasured = {"depth", kDepthAllowed, kTimeAllowed};
+
 /// The text with each character replaced that a file name should not have. What the replacements
 /// cannot tell apart, a hash does.
 std::string plain(const std::string& text) {
@@ -35,9 +38,9 @@ std::string plain(const std::string& text) {
   return fmt::format("{}-{}", hash_name(text).substr(0, kHashDigits), out.substr(begin));
 }
 
-/// With dashes for spaces; a text with dashes of its own stays different.
-std::string dashed(std::string text) {
-  std::ranges::replace(text, '-', '/');
+/// With dashes for spaces. A text with dashes of its own stays different, where it may be any.
+std::string dashed(std::string text, bool is_any = true) {
+  if (is_any) std::ranges::replace(text, '-', '/');
   std::ranges::replace(text, ' ', '-');
   return text;
 }
@@ -66,7 +69,8 @@ Failure failure_of(const Case& value, const std::string& method, const Expected&
 
 void say_version(Case& find, const std::string& method, const Judged& judged) {
   auto& more = find.origin.more;
-  for (const char* name : {"version", "depth", kDepthAllowed, kTimeAllowed}) more.erase(name);
+  more.erase("version");
+  for (const char* name : kMeasured) more.erase(name);
   const auto info = method_info(method);
   if (!info || info->version.empty()) return;
   more["version"] = json_string(info->version);
@@ -74,8 +78,8 @@ void say_version(Case& find, const std::string& method, const Judged& judged) {
     if (x > 0) more[name] = fmt::format("{}", x);
   };
   say("depth", judged.depth);
-  say(kDepthAllowed, is_of_bodies(find.query) ? judged.depth_tolerance : 0);  // as outcome_of
-  say(kTimeAllowed, judged.time_tolerance);
+  say(kDepthAllowed, is_of_bodies(find.query) ? judged.terms.depth_tolerance : 0);  // as outcome_of
+  say(kTimeAllowed, judged.terms.time_tolerance);
 }
 
 void say_depth(Case& find, const std::string& method, const Judged& judged) {
@@ -84,6 +88,16 @@ void say_depth(Case& find, const std::string& method, const Judged& judged) {
   auto &before = find.origin.more, &now = said.origin.more;
   if (before.contains("version") && now["version"] == before["version"]) {
     find = std::move(said);
+  }
+}
+
+void take_depth(Case& find, const Case& other) {
+  const auto &before = find.origin.more, &measured = other.origin.more;
+  const auto version = before.find("version"), of_other = measured.find("version");
+  if (version == before.end() || of_other == measured.end() || *version != *of_other) return;
+  for (const char* name : kMeasured) {
+    const auto field = measured.find(name);
+    if (field != measured.end()) find.origin.more.insert(*field);
   }
 }
 
@@ -108,9 +122,10 @@ std::string to_text(const Failure& failure) {
 
 std::string file_stem(const Failure& failure) {
   std::string stem = fmt::format("{}-{}", plain(failure.who), name_of(failure.outcome));
-  for (const std::string* text : {&failure.contact, &failure.cause}) {
-    if (!text->empty()) stem += "-" + plain(dashed(*text));
-  }
+  if (!failure.contact.empty()) stem += "-" + plain(dashed(failure.contact));
+  // The name of an error may be any text, and other causes are few: kCauses.
+  const bool is_any = failure.outcome == Outcome::kError;
+  if (!failure.cause.empty()) stem += "-" + plain(dashed(failure.cause, is_any));
   if (failure.setting != Setting::kOrdinary) {
     stem += "-" + dashed(std::string(name_of(failure.setting)));
   }
@@ -122,8 +137,10 @@ Change change_of(const Expected& expected, const Expected& got) {
     const bool is_alike = expected.cause.empty() || expected.cause == got.cause;
     return is_alike ? Change::kNone : Change::kOther;
   }
+  if (got.outcome == Outcome::kNotAsked) return Change::kNotAsked;
   const int before = badness(expected.outcome), now = badness(got.outcome);
-  if (before == now) return Change::kOther;
+  const bool is_unjudged = before == 0 && got.outcome == Outcome::kUnknown;
+  if (before == now || is_unjudged) return Change::kOther;
   return before < now ? Change::kRegression : Change::kImprovement;
 }
 
@@ -145,6 +162,13 @@ std::string cause_of_loss(const std::string& method, const Case& value) {
   const auto made = make_method(method);
   if (!made || !(*made)->is_traceable()) return "";
   return loss_cause((*made)->trace(value.query, *witness, {}));
+}
+
+Judged Asker::ask_how_deep(const Failure& failure, const CheckedCase& known) {
+  if (!is_false_negative(failure.outcome)) return {};
+  Judged judged = ask(failure.who, known);
+  judged.depth = depth_of(known, judged).value_or(0);
+  return judged;
 }
 
 Expected Asker::expected(const std::string& method, const Case& value, const Judged& judged) {

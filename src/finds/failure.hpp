@@ -47,6 +47,10 @@ void say_version(Case& find, const std::string& method, const Judged& judged = {
 /// The same, if origin.version is what the method says.
 void say_depth(Case& find, const std::string& method, const Judged& judged);
 
+/// Makes a find say what it does not and another of its query does: what say_version takes from
+/// a judge, of the same version.
+void take_depth(Case& find, const Case& other);
+
 /// The failures that a case expects, method by method.
 std::vector<Failure> failures_of(const Case& value);
 
@@ -65,10 +69,11 @@ enum class Change : std::uint8_t {
   kNone,
   kRegression,   ///< it is worse: what was correct is undecided or fails, what was undecided fails
   kImprovement,  ///< the other way
-  kOther,        ///< it fails in another way
+  kOther,        ///< it fails in another way, or what was correct is unknown
+  kNotAsked,     ///< the method refuses what it took before, which says nothing of its answer
 };
-constexpr std::array<std::string_view, 4> names_of(Change) {
-  return {"as expected", "regression", "improvement", "changed"};
+constexpr std::array<std::string_view, 5> names_of(Change) {
+  return {"as expected", "regression", "improvement", "changed", "not asked"};
 }
 inline constexpr auto kAllChanges = all_of(Change{});
 
@@ -116,6 +121,9 @@ class Asker {
   Judged ask(const std::string& method, const CheckedCase& known, const SearchOptions& search) {
     return ccdfuzz::ask(methods_[method], known, search);
   }
+
+  /// What failed so is asked again. The depth of a miss or late hit is measured, too (depth_of).
+  Judged ask_how_deep(const Failure& failure, const CheckedCase& known);
 
   /// What an entry expects of a method that answered so about its case. It is the outcome with its
   /// cause: the name of an error, the kind of bodies, or what lost a contact.

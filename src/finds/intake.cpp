@@ -10,7 +10,6 @@
 #include "base/no_process.hpp"
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
-#include "files/tree_file.hpp"
 #include "io/in_order.hpp"
 
 namespace ccdfuzz {
@@ -26,9 +25,9 @@ bool can_be_asked(const std::string& method) {
 
 }  // namespace
 
-bool Intake::offer(const Failure& failure, Case find) {
+bool Intake::offer(const Failure& failure, Case find, const Judged& judged) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
-  say_version(find, failure.who);
+  say_version(find, failure.who, judged);
   Rank rank = rank_of(find.query);
   const std::lock_guard lock(mutex_);
   const auto known = kept_.find(failure);
@@ -59,11 +58,10 @@ AskAgain Intake::again() {
 
 Result<Store::Put> Intake::take(const NamedCase& entry) {
   const std::lock_guard lock(mutex_);
-  const std::string trees = trees_path(entry.file);
   const std::optional<Failure> failure = named_by_failure(entry);
-  if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, trees, again());
+  if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, again());
   if (!can_be_asked(failure->who)) return put_aside(entry, *failure);
-  if (fails_so(entry, *failure)) return put(*failure, entry.value, trees, again());
+  if (fails_so(entry, *failure)) return put(*failure, entry.value, again());
   doubtful_.push_back(entry.id);
   return Store::Put::kKnown;
 }
@@ -72,13 +70,10 @@ Result<Store::Put> Intake::take(const NamedCase& entry) {
 /// by the address of its query if another entry is stored for the failure, or none is and its
 /// method refuted it.
 Result<Store::Put> Intake::put_aside(const NamedCase& entry, const Failure& failure) {
-  const std::string trees = trees_path(entry.file);
   CCDFUZZ_TRY(const std::optional<NamedCase> standing, store_.standing(failure));
-  const std::string address = content_address(entry.value.query);
-  const bool is_there = standing && content_address(standing->value.query) == address;
-  const bool may_stand = is_there || (!standing && !can_be_asked(failure.who));
-  return may_stand ? store_.put(failure, entry.value, trees, again())
-                   : store_.put_named(address, entry.value, trees, again());
+  const bool may_stand = !standing && !can_be_asked(failure.who);
+  return may_stand ? store_.put(failure, entry.value, again())
+                   : store_.put_aside(failure, entry.value, again());
 }
 
 Result<std::uint64_t> Intake::take_doubtful() {
@@ -122,10 +117,9 @@ Result<std::optional<bool>> Intake::confirm_standing(const Failure& failure) {
   return store_.disown(failure, entry->id).map([] { return std::optional(false); });
 }
 
-Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees,
-                               const AskAgain& again) {
+Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const AskAgain& again) {
   for (;;) {
-    CCDFUZZ_TRY(const Store::Put done, store_.put(failure, find, trees, again));
+    CCDFUZZ_TRY(const Store::Put done, store_.put(failure, find, again));
     if (done != Store::Put::kKnown) confirmed_.insert(failure);
     if (confirmed_.contains(failure)) return done;
     CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
@@ -191,13 +185,8 @@ void Intake::complete(Find& find, Asker& asker, const Finish& how) {
     find.value = minimise(find.value, failure, asker, how.minimising).value;
   }
   const CheckedCase known = checked_or_unknown(find.value);
-  if (is_false_negative(failure.outcome)) {
-    Judged judged = asker.ask(failure.who, known);
-    find.depth = judged.depth = depth_of(known, judged).value_or(0);
-    say_version(find.value, failure.who, judged);
-    find.late_by = judged.late_by;
-    find.depth_tolerance = judged.depth_tolerance;
-  }
+  find.judged = asker.ask_how_deep(failure, known);
+  say_version(find.value, failure.who, find.judged);
   const Expected shown{failure.outcome, failure.cause};
   find.differs = !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
   if (!find.differs) find.value.origin.more.erase(kNote);

@@ -19,9 +19,7 @@ struct Find {
   std::string path = {};  ///< where it is; empty if it could not be stored
   Case value = {};        ///< with its expectations
   bool is_new = false;    ///< found by this run; else it was there before, or a smaller one was
-  double depth = 0;       ///< that of a new one (depth_of); 0 where that is not measured
-  double late_by = 0;     ///< that of a new one, as of Judged
-  double depth_tolerance = 0;  ///< the same
+  Judged judged = {};     ///< the answer to a new one that misses or is late, with its depth_of
   /// The method shows something else of a new one, asked again (Asker::differs).
   bool differs = false;
 };
@@ -41,9 +39,10 @@ class Intake {
       : store_(store), make_(std::move(make)), confirm_(confirm()) {}
 
   /// A case shows a failure. Keeps and stores it if it is the smallest so far, with the version
-  /// that a plug-in says of itself (origin.version). What goes wrong with the store is trouble.
-  /// Returns true iff the failure was offered for the first time and is not in the store.
-  bool offer(const Failure& failure, Case find);
+  /// that a plug-in says of itself and what was judged (say_version). What goes wrong with the
+  /// store is trouble. Returns true iff the failure was offered for the first time and is not in
+  /// the store.
+  bool offer(const Failure& failure, Case find, const Judged& judged = {});
 
   /// Puts an entry of another folder: for the failure that it is named by, or under its own name.
   /// If its query is there, the two become one, and what they disagree about the
@@ -104,8 +103,7 @@ class Intake {
   void keep(Find find, Rank rank);
   static void complete(Find& find, Asker& asker, const Finish& how);
   Result<void> store_kept();
-  Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
-                         const AskAgain& again = nullptr);
+  Result<Store::Put> put(const Failure& failure, const Case& find, const AskAgain& again = nullptr);
   Result<Store::Put> put_aside(const NamedCase& entry, const Failure& failure);
   AskAgain again();
   bool fails_so(const NamedCase& entry, const Failure& failure);

@@ -47,11 +47,6 @@ bool is_within_separation(const Contact& q) {
   return q.query.separation > 0 && validate(q.query, "") && check_witness(q.query, q.witness());
 }
 
-/// The plane that proves that nothing touches, if one does.
-const MovingPlane* plane_of(const Case& value) {
-  return value.truth.clearance ? std::get_if<MovingPlane>(&*value.truth.clearance) : nullptr;
-}
-
 class Minimiser {
  public:
   Minimiser(const Case& found, Outcome failure, const std::function<bool(const Case&)>& still_fails,
@@ -106,13 +101,15 @@ class Minimiser {
       if (!made || made->origin.contact != contact_) return std::nullopt;
       value = *made;
     } else if (is_decided_linearly(query)) {
-      // Linear patches alone always have a proof, and it needs no file beside the case.
       value.truth = decide_linear(query, {}).truth;
-    } else if (const MovingPlane* plane = plane_of(best_case_); plane && query.t_max > 0) {
+    } else if (const auto* plane = clearance_of<MovingPlane>(best_case_.truth);
+               plane && query.t_max > 0) {
       // As far past t_max as before.
       const Rational until = plane->until / exact(best_case_.query.t_max) * exact(query.t_max);
       value.truth.clearance = find_plane_near(query, *plane, until);
       conclude(query, value.truth);
+    } else if (clearance_of<MissTree>(best_case_.truth)) {
+      value.truth = absence_by_tree(query);
     }
     if (value.truth.collides != is_false_negative(failure_)) return std::nullopt;
     // What is missed at a time that is no fraction is missed inside.
@@ -154,9 +151,9 @@ class Minimiser {
   bool take(const Contact& form) {
     for (auto& [rank, whole] : whole_forms(form)) {
       if (are_floats_ && !is_binary32(whole.query)) continue;
+      if (ended()) return false;
       std::optional<Case> value = as_case(whole);
       if (!value) continue;
-      if (ended()) return false;
       ++trials_;
       if (!still_fails_(*value)) continue;
       best_ = std::move(whole);

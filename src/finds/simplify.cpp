@@ -9,6 +9,7 @@
 #include "bezier/bernstein.hpp"
 #include "case/scale.hpp"
 #include "fuzz/mutator/repair.hpp"
+#include "generators/similar.hpp"
 
 namespace ccdfuzz {
 
@@ -51,23 +52,6 @@ std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) 
     }
   }
   return point;
-}
-
-/// A patch of another shape of control points of this one: point (i, j) is its point at(i, j).
-MovingPatch<double> picked(const MovingPatch<double>& patch, const Shape& to, const auto& at) {
-  MovingPatch<double> out{to, {}, {}};
-  for (int i = 0; i <= to.n; ++i) {
-    const int last = to.kind == ShapeKind::kTriangle ? to.n - i
-                     : to.kind == ShapeKind::kTensor ? to.m
-                                                     : 0;
-    for (int j = 0; j <= last; ++j) {
-      const auto index = static_cast<std::size_t>(at(i, j));
-      out.positions.push_back(patch.positions[index]);
-      (patch.has_ends() ? out.ends : out.velocities).push_back(patch.moves()[index]);
-      if (!patch.weights.empty()) out.weights.push_back(patch.weights[index]);
-    }
-  }
-  return out;
 }
 
 /// The patch of another shape of the same kind whose control points are those of this one that lie
@@ -159,46 +143,23 @@ void offer_shapes(const Contact& q, const Offer& offer) {
   }
 }
 
-/// Space and time in units of powers of two in which the numbers are around 1; the origin where a
-/// control point is.
+/// The origin where a control point is, and moving with it; space and time in units of powers of
+/// two in which the numbers are around 1.
 void offer_units(const Contact& q, const Offer& offer) {
-  for (const PatchField array : kPatchFields) {
+  const auto offer_similar = [&](const Similarity& change) {
+    const std::optional<Query> query = similar(q.query, change);
+    if (!query || *query == q.query) return;
     Contact next = q;
-    const Vec3<double> by = array(next.query.patches[0])[0];
-    bool exact = true;
-    for (MovingPatch<double>& patch : next.query.patches) {
-      for (Vec3<double>& p : array(patch)) exact = exact && add_exactly(p, -exact_dyadic(by));
-    }
-    if (exact) offer(next);
-  }
-  const auto scale = [](Contact& next, PatchField array, int shift) {
-    for (MovingPatch<double>& patch : next.query.patches) {
-      for (Vec3<double>& p : array(patch)) {
-        for (int k = 0; k < 3; ++k) {
-          const double scaled = std::ldexp(p[k], shift);
-          if (!std::isfinite(scaled) || std::ldexp(scaled, -shift) != p[k]) return false;
-          p[k] = scaled;
-        }
-      }
-    }
-    return true;
+    next.query = *query;
+    next.t = q.t.scaled(change.time);
+    offer(next);
   };
-  const double largest = largest_coordinate(q.query);
-  if (const int shift = largest == 0 ? 0 : -std::ilogb(largest); shift != 0) {
-    Contact next = q;
-    next.query.separation = std::ldexp(q.query.separation, shift);
-    const bool is_exact = std::ldexp(next.query.separation, -shift) == q.query.separation;
-    if (is_exact && scale(next, kPatchFields[0], shift) && scale(next, kPatchFields[1], shift))
-      offer(next);
-  }
-  if (q.query.t_max > 0 && !has_ends(q.query)) {
-    if (const int shift = -std::ilogb(q.query.t_max); shift != 0) {
-      Contact next = q;
-      next.query.t_max = std::ldexp(q.query.t_max, shift);
-      next.t = q.t.scaled(shift);
-      if (scale(next, kPatchFields[1], -shift)) offer(next);
-    }
-  }
+  const auto unit_of = [](double largest) { return largest == 0 ? 0 : -std::ilogb(largest); };
+  const MovingPatch<double>& first = q.query.patches[0];
+  offer_similar({.shift = -first.positions[0]});
+  offer_similar({.drift = -first.moves()[0]});
+  offer_similar({.space = unit_of(largest_coordinate(q.query))});
+  offer_similar({.time = unit_of(q.query.t_max)});
 }
 
 void offer_times(const Contact& q, const Offer& offer) {

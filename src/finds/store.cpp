@@ -11,7 +11,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
-#include "files/tree_file.hpp"
 #include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
 
@@ -35,29 +34,9 @@ bool shows(const Case& value, const Failure& failure) {
   return std::ranges::find(shown, failure) != shown.end();
 }
 
-/// Removes an entry and then its tree, so that no entry names one that is not there.
-Result<void> remove_entry(const std::string& path) {
-  std::error_code error;
-  fs::remove(path, error);
-  if (!error) fs::remove(trees_path(path), error);
-  if (error) return system_error(path, "remove", error.value());
-  return {};
-}
-
-Result<void> write_case(const std::string& path, const Case& value) {
+Result<void> write_entry(const std::string& path, const Case& value) {
   return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
 }
-
-/// Writes the tree and then the entry. trees: where the tree is now.
-Result<void> write_entry(const std::string& path, Case value, const std::string& trees) {
-  return carry_tree(value.truth, trees, path).and_then([&] { return write_case(path, value); });
-}
-
-/// Two entries of one query as one.
-struct United {
-  Case value;
-  std::string trees;  ///< the file with the tree of its truth
-};
 
 /// How much a truth says of absence of contact: whether by a certificate, until when, whether that
 /// is included.
@@ -76,15 +55,12 @@ void take_earlier(std::optional<Part>& part, const std::optional<Part>& other, c
   if (other && (!part || time(*other) < time(*part))) part = other;
 }
 
-/// is_absence_of_find: gets whether what is said of absence is what find says.
-Truth united_truth(const Truth& old, const Truth& find, const Rational& t_max,
-                   bool& is_absence_of_find) {
+Truth united_truth(const Truth& old, const Truth& find, const Rational& t_max) {
   Truth truth = old;
   take_earlier(truth.witness, find.witness, [](const Witness& w) { return w.t; });
   take_earlier(truth.contact_box, find.contact_box, [](const ContactBox& b) { return b.until(); });
   take_earlier(truth.contact_root, find.contact_root, [](const ContactRoot& r) { return r.by; });
-  is_absence_of_find = absence_of(old, t_max) < absence_of(find, t_max);
-  const Truth& absence = is_absence_of_find ? find : old;
+  const Truth& absence = absence_of(old, t_max) < absence_of(find, t_max) ? find : old;
   truth.clear_until = absence.clear_until;
   truth.clearance = absence.clearance;
   truth.proof = absence.proof;
@@ -101,66 +77,42 @@ Truth united_truth(const Truth& old, const Truth& find, const Rational& t_max,
   return truth;
 }
 
-/// Takes each part of the truths from where it is stronger. That is the earlier contact; and
-/// absence of contact by certificate before any by a method's word, or the later of two. The rest
-/// is of `old`. Requires that both truths were checked. trees: where the tree of find is; empty:
-/// without it what a tree proves is left out.
-United unite(const NamedCase& old, const Case& find, const std::string& trees,
-             const AskAgain& again) {
-  Case other = find;
-  if (trees.empty()) drop_tree(other.truth);
-  United united{old.value, trees_path(old.id)};
-  Case& value = united.value;
-  bool is_absence_of_find = false;
-  value.truth =
-      united_truth(value.truth, other.truth, exact(value.query.t_max), is_absence_of_find);
-  if (is_absence_of_find) united.trees = trees;
-  const bool is_of_both = value.truth != old.value.truth && value.truth != other.truth;
-  if (is_of_both && !check_with_trees(value, united.trees)) {
-    united = {old.value, trees_path(old.id)};
-  }
+/// Two entries of one query as one. Takes each part of the truths from where it is stronger. That
+/// is the earlier contact; and absence of contact by certificate before any by a method's word, or
+/// the later of two. The rest is of `old`, but for a depth that only `find` has. Requires that both
+/// truths were checked.
+Case unite(const Case& old, const Case& find, const AskAgain& again) {
+  Case value = old;
+  value.truth = united_truth(old.truth, find.truth, exact(old.query.t_max));
+  const bool is_of_both = value.truth != old.truth && value.truth != find.truth;
+  if (is_of_both && !check_case(value)) value.truth = old.truth;
 
   const auto stands_by = [&](const Case& entry) {
     return entry.truth == value.truth && entry.asked == value.asked;
   };
-  const bool is_old_sure = stands_by(old.value), is_find_sure = stands_by(other);
-  value.expect.insert(other.expect.begin(), other.expect.end());
-  if (!again) return united;
+  const bool is_old_sure = stands_by(old), is_find_sure = stands_by(find);
+  value.expect.insert(find.expect.begin(), find.expect.end());
+  take_depth(value, find);
+  if (!again) return value;
   std::optional<CheckedCase> known;
   for (auto& [method, expected] : value.expect) {
-    const auto by_old = old.value.expect.find(method);
-    const auto by_find = other.expect.find(method);
-    const bool is_of_old = by_old != old.value.expect.end();
-    const bool is_of_find = by_find != other.expect.end();
+    const auto by_old = old.expect.find(method);
+    const auto by_find = find.expect.find(method);
+    const bool is_of_old = by_old != old.expect.end();
+    const bool is_of_find = by_find != find.expect.end();
     const bool is_disputed = is_of_old && is_of_find && !(by_old->second == by_find->second);
     const bool is_sure = (is_old_sure && is_of_old) || (is_find_sure && is_of_find);
     if (is_sure && !is_disputed) continue;
-    if (!known) {
-      known = checked_or_unknown(value, tree_of(value.truth, united.trees).value_or(""));
-    }
+    if (!known) known = checked_or_unknown(value);
     if (const auto shown = again(method, *known)) expected = *shown;
   }
-  return united;
+  return value;
 }
 
-/// Makes an entry say what a united one does. The name of a tree follows from that of its entry:
-/// both cannot be replaced at one moment, so that in between the entry has none.
-Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
-  const std::string& path = old.id;
-  Case& value = united.value;
-  if (value == old.value) return Store::Put::kKnown;
-  const bool had_tree = miss_tree(old.value.truth) != nullptr;
-  Result<void> written;
-  if (miss_tree(value.truth) && value.truth.clearance != old.value.truth.clearance) {
-    Case bare = old.value;
-    if (drop_tree(bare.truth)) written = write_case(path, bare);
-    if (written) written = carry_tree(value.truth, united.trees, path);
-  }
-  if (written) written = write_case(path, value);
-  std::error_code error;
-  if (written && had_tree && !miss_tree(value.truth)) fs::remove(trees_path(path), error);
-  if (error) return system_error(trees_path(path), "remove", error.value());
-  return written.map([] { return Store::Put::kMerged; });
+/// Makes an entry say what a united one does.
+Result<Store::Put> rewrite_entry(const NamedCase& old, const Case& united) {
+  if (united == old.value) return Store::Put::kKnown;
+  return write_entry(old.id, united).map([] { return Store::Put::kMerged; });
 }
 
 /// The entry of a file; nothing where there is no file. Errors: as read_checked_case.
@@ -226,51 +178,44 @@ Result<std::optional<NamedCase>> Store::named(const Failure& failure) {
 }
 
 /// Gives an entry its address as its name. If its query is there already, that entry stays
-/// and says of it what both do. Returns its new path, or nothing if it was there.
-Result<std::optional<std::string>> Store::move_aside(const NamedCase& entry) const {
-  const std::string aside = fmt::format("{}/{}.json", home_, content_address(entry.value.query));
+/// and says of it what both do.
+Result<void> Store::move_aside(const NamedCase& entry) const {
+  const std::string aside = path_of(content_address(entry.value.query));
   CCDFUZZ_TRY(const auto standing, entry_at(aside));
-  const Result<void> kept =
-      standing
-          ? rewrite_entry(*standing, unite(*standing, entry.value, trees_path(entry.id), nullptr))
-                .map([](Put) {})
-          : write_entry(aside, entry.value, trees_path(entry.id));
-  return kept.and_then([&] { return remove_entry(entry.id); }).map([&] {
-    return standing ? std::nullopt : std::optional(aside);
-  });
+  std::error_code error;
+  if (standing) {
+    CCDFUZZ_TRY_VOID(rewrite_entry(*standing, unite(standing->value, entry.value, nullptr)));
+    fs::remove(entry.id, error);
+  } else {
+    fs::rename(entry.id, aside, error);
+  }
+  if (error) return system_error(entry.id, "rename", error.value());
+  return {};
 }
 
 Result<Store::Put> Store::put_locked(const Failure& failure, const Case& find,
-                                     const std::string& trees, const AskAgain& again) {
+                                     const AskAgain& again) {
   const std::string path = path_of(failure);
   const Rank rank = rank_of(find.query);
   CCDFUZZ_TRY(const auto known, named(failure));
   if (known && rank_of(known->value.query) <= rank) {
     if (!again || rank_of(known->value.query) < rank) return Put::kKnown;
-    return rewrite_entry(*known, unite(*known, find, trees, again));
+    return rewrite_entry(*known, unite(known->value, find, again));
   }
   CCDFUZZ_TRY(const auto standing, entry_at(path));
-  if (!standing) return write_entry(path, find, trees).map([] { return Put::kNew; });
+  if (!standing) return write_entry(path, find).map([] { return Put::kNew; });
 
   const Case& old = standing->value;
   const bool is_of_failure = shows(old, failure);
   const Rank old_rank = rank_of(old.query);
   if (is_of_failure && old_rank < rank) return Put::kKnown;
   if (old_rank == rank) {
-    United united = unite(*standing, find, trees, again);
-    if (shows(united.value, failure)) return rewrite_entry(*standing, std::move(united));
+    const Case united = unite(old, find, again);
+    if (shows(united, failure)) return rewrite_entry(*standing, united);
     if (is_of_failure) return Put::kKnown;
   }
-  if (is_of_failure && !miss_tree(old.truth) && !miss_tree(find.truth)) {
-    return write_entry(path, find, trees).map([] { return Put::kSmaller; });
-  }
-  // The name of a tree follows from that of its entry: both cannot be replaced at one moment.
-  CCDFUZZ_TRY(const auto aside, move_aside(*standing));
-  return write_entry(path, find, trees).and_then([&]() -> Result<Put> {
-    if (!is_of_failure) return Put::kNew;
-    const Result<void> removed = aside ? remove_entry(*aside) : Result<void>();
-    return removed.map([] { return Put::kSmaller; });
-  });
+  if (!is_of_failure) CCDFUZZ_TRY_VOID(move_aside(*standing));
+  return write_entry(path, find).map([&] { return is_of_failure ? Put::kSmaller : Put::kNew; });
 }
 
 Result<Store> Store::open(const std::string& folder) {
@@ -296,32 +241,51 @@ Result<Store> Store::open(const std::string& folder) {
   return store;
 }
 
-Result<Store::Put> Store::put(const Failure& failure, const Case& find, const std::string& trees,
-                              const AskAgain& again) {
+Result<Store::Put> Store::put(const Failure& failure, const Case& find, const AskAgain& again) {
   CCDFUZZ_VERIFY(shows(find, failure));
   CCDFUZZ_TRY_VOID(check_truth(find));
-  return locked([&] { return put_locked(failure, find, trees, again); });
+  return locked([&] { return put_locked(failure, find, again); });
 }
 
 Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
-                                    const std::string& trees, const AskAgain& again) {
+                                    const AskAgain& again) {
   CCDFUZZ_TRY_VOID(check_truth(entry));
   CCDFUZZ_TRY_VOID(check_name(name));
+  constexpr size_t kLongest = 250;  // with ".json" as long as a file's name may be
   return locked([&]() -> Result<Put> {
     const std::string address = content_address(entry.query);
-    constexpr size_t kLongest = 240;  // with ".trees.zst" as long as a file's name may be
-    std::string path = fmt::format("{}/{}.json", home_, name.size() <= kLongest ? name : address);
-    auto standing = entry_at(path);
-    if (standing && *standing && content_address((*standing)->value.query) != address) {
-      path = fmt::format("{}/{}.json", home_, address);
-      standing = entry_at(path);
+    std::string path = path_of(name.size() <= kLongest ? name : address);
+    CCDFUZZ_TRY(const auto standing, entry_at(path));
+    if (standing && content_address(standing->value.query) != address) path = path_of(address);
+    return put_at(path, entry, again);
+  });
+}
+
+Result<Store::Put> Store::put_aside(const Failure& failure, const Case& entry,
+                                    const AskAgain& again) {
+  CCDFUZZ_TRY_VOID(check_truth(entry));
+  return locked([&]() -> Result<Put> {
+    const Rank rank = rank_of(entry.query);
+    std::vector<std::string> paths = {path_of(failure)};
+    const auto named = named_.lower_bound({failure, rank});
+    if (named != named_.end() && named->failure == failure) paths.push_back(named->path);
+    for (const std::string& path : paths) {
+      CCDFUZZ_TRY(const auto standing, entry_at(path));
+      const bool is_of_query = standing && rank_of(standing->value.query) == rank;
+      if (is_of_query) return rewrite_entry(*standing, unite(standing->value, entry, again));
     }
-    if (!standing) return tl::unexpected(standing.error());
-    if (*standing) return rewrite_entry(**standing, unite(**standing, entry, trees, again));
-    return write_entry(path, entry, trees).map([&] {
-      know({path, entry});
-      return Put::kNew;
-    });
+    return put_at(path_of(content_address(entry.query)), entry, again);
+  });
+}
+
+/// Unites an entry with that of its query in this file, or begins the file.
+Result<Store::Put> Store::put_at(const std::string& path, const Case& entry,
+                                 const AskAgain& again) {
+  CCDFUZZ_TRY(const auto standing, entry_at(path));
+  if (standing) return rewrite_entry(*standing, unite(standing->value, entry, again));
+  return write_entry(path, entry).map([&] {
+    know({path, entry});
+    return Put::kNew;
   });
 }
 
@@ -342,7 +306,7 @@ Result<void> Store::disown(const Failure& failure, const std::string& path) {
     if (path != path_of(failure)) return {};
     const auto standing = entry_at(path);
     if (!standing || !*standing) return standing.map([](const auto&) {});
-    return move_aside(**standing).map([](const auto&) {});
+    return move_aside(**standing);
   });
 }
 
@@ -355,7 +319,11 @@ Result<std::vector<NamedCase>> Store::load() {
 }
 
 std::string Store::path_of(const Failure& failure) const {
-  return fmt::format("{}/{}.json", home_, file_stem(failure));
+  return path_of(file_stem(failure));
+}
+
+std::string Store::path_of(const std::string& stem) const {
+  return fmt::format("{}/{}.json", home_, stem);
 }
 
 Result<std::uint64_t> Store::times_replaced() {

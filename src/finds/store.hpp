@@ -25,15 +25,15 @@ using AskAgain =
     std::function<std::optional<Expected>(const std::string& method, const CheckedCase& known)>;
 
 /// A folder of finds, one readable .json file for each failure, named by it (file_stem). Entries
-/// of any other name, those of sub-folders among them, are kept for themselves. A store neither
-/// changes nor removes them, but need not hold another find for what they show.
+/// of any other name, those of sub-folders among them, are kept for themselves. A store removes
+/// none of them, and changes one only where another of its query is put. It need not hold another
+/// find for what they show.
 ///
 /// Laws, with any number of threads and processes writing to one folder, and after SIGKILL at any
 /// moment:
 ///  1. Every entry is complete.
 ///  2. The entry of a failure is the smallest, by Rank, of all finds that were put for it. So what
-///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
-///     under its address.)
+///     is kept does not depend on the order.
 ///  3. If two entries have one query, the stronger truth stays. Another find changes no
 ///     expectation, unless the caller asks the method again.
 class Store {
@@ -51,17 +51,19 @@ class Store {
   static Result<Store> open(const std::string& folder);
 
   /// Puts a find that shows a failure, and makes the folder again if it was removed. Safe from
-  /// several threads. Requires that the find expects the failure. trees: the file of trees beside
-  /// the case, of which its own comes along; without it (empty) what a tree proves is left out.
-  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
-  /// entries so far remain.
-  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
-                  const AskAgain& again = nullptr);
+  /// several threads. Requires that the find expects the failure. Errors: a refuted truth; a full
+  /// disk or any other refusal of the system, after which the entries so far remain.
+  Result<Put> put(const Failure& failure, const Case& find, const AskAgain& again = nullptr);
 
   /// Puts an entry under a name of its own (without ".json"). It goes under its address if another
   /// case has the name or it is too long for a file. Errors: as put; no file name.
-  Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "",
+  Result<Put> put_named(const std::string& name, const Case& entry,
                         const AskAgain& again = nullptr);
+
+  /// Puts an entry of which it is not known whether it shows the failure that it says. An entry
+  /// that says the same of the same query takes it in. Else it goes under its address. Errors: as
+  /// put.
+  Result<Put> put_aside(const Failure& failure, const Case& entry, const AskAgain& again = nullptr);
 
   /// The failures of an entry of another folder need no find here. Requires that its id is the path
   /// of its file, and that no other thread uses the store.
@@ -104,9 +106,10 @@ class Store {
   auto locked(const Work& work) -> decltype(work());
   Result<void> read_named();
   Result<std::optional<NamedCase>> named(const Failure& failure);
-  Result<std::optional<std::string>> move_aside(const NamedCase& entry) const;
-  Result<Put> put_locked(const Failure& failure, const Case& find, const std::string& trees,
-                         const AskAgain& again);
+  Result<void> move_aside(const NamedCase& entry) const;
+  Result<Put> put_locked(const Failure& failure, const Case& find, const AskAgain& again);
+  Result<Put> put_at(const std::string& path, const Case& entry, const AskAgain& again);
+  std::string path_of(const std::string& stem) const;
 
   std::string folder_;
   std::string home_;  ///< where entries are written; locked while that is done

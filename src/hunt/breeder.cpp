@@ -38,10 +38,7 @@ Breeder::Breeder(std::string method, std::uint64_t seed, const HuntGround& groun
 
 bool Breeder::trace_and_note(const Contact& q, MethodSet& methods) {
   const Trace& trace = methods[method_].trace(q.query, q.witness(), {});
-  if (trace.lost) {
-    if (lost_) lost_(q, trace);
-    return false;
-  }
+  if (trace.lost) return false;
   if (trace.margin) tally_.margin = std::min(tally_.margin.value_or(~0ULL), trace.margin->ulps);
   if (aim_ == Aim::kMargins) nearest_.join(q, standing_of(q, trace));
   return true;

@@ -59,10 +59,6 @@ class Breeder {
   /// Nothing to make mutants of, yet.
   bool empty() const { return drifting_.empty() && queries_.empty(); }
 
-  /// Called with each contact that the method's trace loses, founders too.
-  using Loss = std::function<void(const Contact&, const Trace&)>;
-  void watch_losses(Loss lost) { lost_ = std::move(lost); }
-
  private:
   /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
   bool trace_and_note(const Contact& q, MethodSet& methods);
@@ -88,7 +84,6 @@ class Breeder {
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;
-  Loss lost_;
 };
 
 }  // namespace ccdfuzz

@@ -65,11 +65,7 @@ void slow_down(Query& query, int scale) {
   const double far = farthest();
   if (!(far > most) || !std::isfinite(far)) return;
   const int room = std::ilogb(std::max(largest_coordinate(query), 1 / most)) + scale / 2;
-  const int shift = std::min(std::ilogb(far) + 1 - scale, std::max(room, 0));
-  for (MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, -shift); });
-  }
-  query.separation = std::ldexp(query.separation, -shift);
+  scale_lengths(query, -std::min(std::ilogb(far) + 1 - scale, std::max(room, 0)));
 }
 
 /// The patches near the origin if they are far from it, and of other sizes and speeds.
@@ -82,11 +78,7 @@ void bring_to_scale(Query& query, int scale) {
     }
   }
   if (!is_of_bodies(query)) slow_down(query, scale);
-  const int in_space = shift_into(largest_coordinate(query), scale);
-  for (MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
-  }
-  query.separation = std::ldexp(query.separation, in_space);
+  scale_lengths(query, shift_into(largest_coordinate(query), scale));
   if (has_turns(query) || has_ends(query)) return;  // they move from 0 to 1
   const double fastest = std::max(largest_coordinate(query.patches[0].velocities),
                                   largest_coordinate(query.patches[1].velocities));
@@ -99,6 +91,13 @@ void bring_to_scale(Query& query, int scale) {
 }
 
 }  // namespace
+
+void scale_lengths(Query& query, int exponent) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, exponent); });
+  }
+  query.separation = std::ldexp(query.separation, exponent);
+}
 
 const ShapePair& shapes_of_class(ContactClass contact) {
   const auto* const at = std::ranges::find(kLinearClasses, contact);
@@ -164,18 +163,19 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
   return drawn;
 }
 
+double HuntGround::fitted(double x) const {
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+  if (scale && std::abs(x) < std::ldexp(1.0, -*scale)) return 0;
+  return binary32 ? nearest_float(std::clamp(x, -kMost, kMost)) : x;
+}
+
 Case HuntGround::fitted(Case value) const {
   Query& query = value.query;
   const bool are_bodies = is_of_bodies(query);
   if (!is_decided_exactly(query) || Domain::broken_by(query).empty()) return value;
   const Query before = query;
-  const double least = scale ? std::ldexp(1.0, -*scale) : 0;
   if (scale) bring_to_scale(query, *scale);
-  const auto fit = [&](double& x) {
-    if (std::abs(x) < least) x = 0;
-    constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
-    if (binary32) x = nearest_float(std::clamp(x, -kMost, kMost));
-  };
+  const auto fit = [this](double& x) { x = fitted(x); };
   const double separation = binary32 ? nearest_float(query.separation) : query.separation;
   for_each_number(query, fit);
   if (!are_bodies) query.separation = separation;  // which may be small

@@ -57,7 +57,12 @@ struct HuntGround : Domain {
   /// which a weight is 0 loses its weights. Bodies are brought into the plane. Only bodies and
   /// linear patches are changed, for of these the truth of the changed query is decided exactly.
   Case fitted(Case value) const;
+  /// One of its numbers: 0 for a small one, and the nearest float.
+  double fitted(double x) const;
 };
+
+/// Makes all lengths of a query larger by 2^exponent, rounded.
+void scale_lengths(Query& query, int exponent);
 
 /// A query of bodies or linear patches as a case whose truth is decided, with its class. nullopt if
 /// it is not decided.

@@ -12,10 +12,11 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "certify/oracle/outcome_of.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/similar.hpp"
 #include "hunt/draw.hpp"
-#include "method/ask.hpp"
+#include "method/method.hpp"
 #include "method/setting.hpp"
 #include "numeric/products.hpp"
 #include "properties/show.hpp"
@@ -227,7 +228,7 @@ struct Subject {
   /// What is wrong with an answer beyond its tolerance.
   std::optional<std::string_view> fault_of(const CheckedCase& known, const Answered& answer,
                                            bool has_time) const {
-    const Outcome outcome = outcome_of(known, answer, ground.ordinary);
+    const Outcome outcome = outcome_of(known, answer, answer.terms, ground.ordinary);
     const bool is_late = is_false_negative(outcome);
     if (is_late || (outcome == Outcome::kFalsePositive && !info.claims_no_false_negative)) {
       return name_of(outcome);

@@ -9,7 +9,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
 #include "files/case_json.hpp"
-#include "files/tree_file.hpp"
 #include "generators/contact.hpp"
 #include "io/serve.hpp"
 #include "properties/against_oracle.hpp"
@@ -36,7 +35,6 @@ Case decided_with_little_effort(const Case& candidate) {
   little.max_pops = kEnoughPops;
   little.max_tree_nodes = 10 * kEnoughPops;  // as decide_briefly
   Decision decision = decide(candidate.query, little);
-  drop_tree(decision.truth);
   Case known = candidate;
   known.truth = std::move(decision.truth);
   if (const auto q = contact_of(known)) {
@@ -143,7 +141,8 @@ Result<std::optional<Case>> Triage::take_in(const Find& confirmed) {
   // kept, as it would take as long again.
   if (options_.stop() && failure.cause != "hang") return std::nullopt;
   asker_.ask_others(find, options_.methods);
-  intake_.offer(failure, find);
+  const Judged judged = asker_.ask_how_deep(failure, checked_or_unknown(find));
+  intake_.offer(failure, find, judged);
   return intake_.store_all().map([&] { return std::optional(std::move(find)); });
 }
 

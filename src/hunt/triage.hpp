@@ -7,13 +7,12 @@
 
 #include "finds/intake.hpp"
 #include "io/child.hpp"
-#include "method/ask.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
 struct TriageOptions {
-  std::vector<std::string> methods;  ///< specs that parse_method_list accepted
+  std::vector<std::string> methods;  ///< specs that parse_method accepted
   SearchOptions search;
   std::uint64_t shrink_trials = 1000;  ///< for one find
   /// True ends shrinking, and asking before the next method.

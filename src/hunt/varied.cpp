@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/nearest_float.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
@@ -24,15 +23,13 @@ double rounded_down(double x) {
 /// The same motion from 0 to t_max / until, by the positions at 0 and at 1, asked up to `until`.
 Query by_ends(const Query& query, double until, const HuntGround& ground) {
   Query out = query;
-  const double step = query.t_max / until, least = ground.scale ? std::ldexp(1, -*ground.scale) : 0;
+  const double step = query.t_max / until;
   for (MovingPatch<double>& patch : out.patches) {
     patch.ends = patch.positions;
     for (size_t i = 0; i < patch.ends.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
         double& x = patch.ends[i][k];
-        x += step * patch.velocities[i][k];
-        if (ground.binary32) x = nearest_float(x);
-        if (std::abs(x) < least) x = 0;
+        x = ground.fitted(x + step * patch.velocities[i][k]);
       }
     }
     patch.velocities.clear();
@@ -49,17 +46,11 @@ void fit(Query& query, const HuntGround& ground) {
     fastest = std::max(fastest, largest_coordinate(patch.velocities));
   }
   const int faster = ground.scale && fastest > 0 ? -2 - std::ilogb(fastest) : 0;
-  const double least = ground.scale ? std::ldexp(1, -*ground.scale) : 0;
-  const auto round = [&](double& x) {
-    if (ground.binary32) x = nearest_float(x);
-    if (std::abs(x) < least) x = 0;
-  };
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1, faster);
-    for_each_coordinate(patch, round);
+    for_each_coordinate(patch, [&](double& x) { x = ground.fitted(x); });
   }
-  query.t_max = std::ldexp(query.t_max, -faster);
-  round(query.t_max);
+  query.t_max = ground.fitted(std::ldexp(query.t_max, -faster));
 }
 
 /// The query in units of which the claim is about a hundredth of the patches' size.
@@ -75,11 +66,7 @@ void bring_to_claim(Query& query, double kept, const HuntGround& ground, Draw& d
     }
   }
   const int wanted = claim + draw.integer(least, most);
-  if (size == 0) return;
-  const int shift = wanted - std::ilogb(size);
-  for (MovingPatch<double>& patch : query.patches) {
-    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, shift); });
-  }
+  if (size > 0) scale_lengths(query, wanted - std::ilogb(size));
 }
 
 /// Both patches in planes that an axis is normal to, which stay that: then nothing but a plane
@@ -115,21 +102,39 @@ std::optional<Query> before_touch(const Case& near, const HuntGround& ground, Dr
   return out;
 }
 
+/// The case of bodies with a part of a radius as its separation: nothing else changes. nullopt if
+/// neither has a radius.
+std::optional<Case> of_radius(Case value, Draw& draw) {
+  const auto& [a, b] = value.query.patches;
+  if (a.radius == 0 && b.radius == 0) return std::nullopt;
+  double& radius = value.query.patches[a.radius == 0 || (b.radius > 0 && draw.coin())].radius;
+  value.query.separation = draw.coin() ? radius : radius / 2;
+  radius -= value.query.separation;
+  return check_case(value) ? std::optional(std::move(value)) : std::nullopt;
+}
+
 /// The case at a separation. kept: the claim that it is to be just below, or 0.
 std::optional<Case> at_separation(const Case& value, const HuntGround& ground, double kept,
                                   Draw& draw) {
   Query apart = value.query;
+  const bool are_bodies = is_of_bodies(apart);
+  if (are_bodies && kept == 0) {
+    if (auto made = of_radius(value, draw)) return made;
+  }
+  if (has_turns(apart)) return std::nullopt;  // to decide it takes long
   if (kept > 0) {
     bring_to_claim(apart, kept, ground, draw);
-    if (draw.below(3) == 0) level(apart, draw.integer(0, 2));
-    fit(apart, ground);
+    if (!are_bodies) {
+      if (draw.below(3) == 0) level(apart, draw.integer(0, 2));
+      fit(apart, ground);
+    }
     apart.separation = rounded_down(kept * (1 - 0x1p-10));
   } else {
     const int size = std::ilogb(largest_coordinate(apart)) - draw.integer(5, 12);
     apart.separation = std::ldexp(4 + draw.integer(0, 3), size);
   }
   std::optional<Case> made = decided_case(apart);
-  if (made && kept > 0 && draw.below(4) > 0) {
+  if (made && kept > 0 && !are_bodies && draw.below(4) > 0) {
     if (const auto begun = before_touch(*made, ground, draw)) made = decided_case(*begun);
   }
   return made;
@@ -149,13 +154,15 @@ std::optional<Case> by_exact_ends(Case value) {
 std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
                            Draw& draw) {
   const Query& query = value.query;
-  const bool is_plain = is_linear_query(query) && !has_ends(query) && !is_trimmed(query) &&
-                        query.separation == 0 && query.t_max > 0;
+  const bool are_bodies = is_of_bodies(query);
+  const bool is_plain = (are_bodies || (is_linear_query(query) && !has_ends(query) &&
+                                        !is_trimmed(query) && query.t_max > 0)) &&
+                        query.separation == 0;
   if (ground.uniform) return std::nullopt;
   // Elsewhere families of generators are enough.
-  const bool is_limited = ground.binary32 || ground.scale || ground.ordinary;
+  const bool is_limited = ground.binary32 || ground.scale || ground.ordinary || are_bodies;
   if (!is_plain) {
-    const bool has_velocities = !has_ends(query) && !is_of_bodies(query);
+    const bool has_velocities = !has_ends(query) && !are_bodies;
     if (!has_velocities || !features.ends || !is_limited || draw.coin()) return std::nullopt;
     const std::optional<Case> of_ends = by_exact_ends(value);
     return of_ends && ground.has(*of_ends) ? of_ends : std::nullopt;
@@ -164,7 +171,7 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
   const bool is_apart =
       kept > 0 ? draw.coin() : features.separation && is_limited && draw.below(6) == 0;
   // What is asked as it is comes up to four times (forms_of).
-  const bool is_of_ends = features.ends && is_limited &&
+  const bool is_of_ends = features.ends && is_limited && !are_bodies &&
                           draw.below(8) < (ground.binary32 ? std::uint64_t{7} : std::uint64_t{4});
   std::optional<Case> made;
   if (is_apart) made = at_separation(value, ground, kept, draw);

@@ -17,37 +17,18 @@ namespace ccdfuzz {
 
 namespace {
 
-/// One option or argument of a command, for help, manual page and completion.
-struct HelpOption {
-  std::string names;  ///< "-o, --output", or the name of an argument
-  std::string value;  ///< "FILE"; empty for a flag
-  std::string text;
-};
-
-/// A command. The program itself is one without options; its commands are a group.
-struct HelpCommand {
-  std::string name;     ///< "hunt"
-  std::string summary;  ///< one line
-  std::string usage;    ///< behind the name: "[OPTIONS] case..."
-  std::vector<std::pair<std::string, std::vector<HelpOption>>> groups;  ///< title and options
-  std::string end;  ///< an example, or exit codes; its lines are kept
-};
-
 /// Where texts of options begin.
 constexpr std::size_t kTextColumn = 24;
 
-std::string head_of(const HelpOption& option) {
-  return option.value.empty() ? option.names : option.names + " " + option.value;
-}
-
-std::string option_text(const HelpOption& option) {
-  std::string head = "  " + head_of(option);
+/// An option or argument as a line of help, or a few.
+std::string option_text(const std::string& name, const std::string& text) {
+  std::string head = "  " + name;
   if (head.size() < kTextColumn) {
     head.resize(kTextColumn, ' ');
   } else {
     head += "\n" + std::string(kTextColumn, ' ');
   }
-  return head + wrapped(option.text, kTextColumn, kTextColumn) + "\n";
+  return head + wrapped(text, kTextColumn, kTextColumn) + "\n";
 }
 
 /// Text for roff: a line that begins with a dot or a quote would be a request.
@@ -67,28 +48,12 @@ std::string roff(std::string_view text) {
   return out;
 }
 
-std::string roff_command(const HelpCommand& command) {
-  std::string out = fmt::format("{}\n.PP\n.B {} {}\n", roff(command.summary), roff(command.name),
-                                roff(command.usage));
-  for (const auto& [title, options] : command.groups) {
-    out += fmt::format(".PP\n{}:\n", roff(title));
-    for (const HelpOption& option : options) {
-      out += fmt::format(".TP\n.B {}\n{}\n", roff(head_of(option)), roff(option.text));
-    }
-  }
-  if (!command.end.empty()) out += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.end));
-  return out;
-}
-
 /// "--seconds --cases": the options of a command by their long names.
-std::string long_names(const HelpCommand& command) {
+std::string long_names(const CLI::App& command) {
   std::string names;
-  for (const auto& [title, options] : command.groups) {
-    for (const HelpOption& option : options) {
-      const std::size_t at = option.names.find("--");
-      if (at == std::string::npos) continue;
-      names += (names.empty() ? "" : " ") + option.names.substr(at);
-    }
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty() || option->get_lnames().empty()) continue;
+    names += (names.empty() ? "--" : " --") + option->get_lnames().front();
   }
   return names;
 }
@@ -113,55 +78,33 @@ std::string facts_of(const CLI::Option& option) {
   return facts;
 }
 
-HelpCommand described(const CLI::App& app) {
-  const bool is_program = app.get_parent() == nullptr;
-  HelpCommand help{is_program ? "" : app.get_name(),
-                   app.get_description(),
-                   is_program ? "COMMAND [OPTIONS]" : "[OPTIONS]",
-                   {},
-                   app.get_footer()};
-  const auto group = [&](const std::string& title) -> std::vector<HelpOption>& {
-    for (auto& [known, options] : help.groups) {
-      if (known == title) return options;
-    }
-    const auto place = [](const auto& g) {
-      return g.first == "Arguments" ? 0 : g.first == "Limits" ? 2 : g.first == "Other" ? 3 : 1;
-    };
-    const std::pair<std::string, std::vector<HelpOption>> added{title, {}};
-    const auto behind = std::ranges::upper_bound(help.groups, place(added), {}, place);
-    return help.groups.insert(behind, added)->second;
-  };
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_group().empty()) continue;
-    group("Commands").push_back({command->get_name(), "", command->get_description()});
-  }
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;
-    std::string text = option->get_description();
-    text.insert(std::min(text.find('\n'), text.size()), facts_of(*option));
-    if (!option->get_positional()) {
-      std::string names = option->get_name(false, true);
-      if (const size_t comma = names.find(','); comma != std::string::npos)
-        names.insert(comma + 1, " ");
-      const bool is_flag = option->get_expected_max() == 0 || option->get_type_size() == 0;
-      group(option->get_group()).push_back({names, is_flag ? "" : option->get_type_name(), text});
-      continue;
-    }
-    std::string name = option->get_name();
-    if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) name += "...";
-    group("Arguments").push_back({name, "", text});
-    help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
-  }
-  return help;
+/// The name of an argument: "case" of one, "case..." of any number.
+std::string argument_name(const CLI::Option& argument) {
+  const bool takes_any = argument.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  return argument.get_name() + (takes_any ? "..." : "");
 }
 
-/// The program and its listed commands, the program first.
-std::vector<HelpCommand> all_described(const CLI::App& app) {
-  std::vector<HelpCommand> all = {described(app)};
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (!command->get_group().empty()) all.push_back(described(*command));
+/// The name of an option as help shows it: "-o, --output FILE".
+std::string option_name(const CLI::Option& option) {
+  const bool is_flag = option.get_expected_max() == 0 || option.get_type_size() == 0;
+  std::string name = option.get_name(false, true);
+  if (const size_t comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
+  return is_flag ? name : name + " " + option.get_type_name();
+}
+
+/// What follows the name: "[OPTIONS] case...".
+std::string usage_of(const CLI::App& app) {
+  std::string usage = app.get_parent() == nullptr ? "COMMAND [OPTIONS]" : "[OPTIONS]";
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() || option->get_group().empty()) continue;
+    const std::string name = argument_name(*option);
+    usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
-  return all;
+  return usage;
+}
+
+std::vector<const CLI::App*> listed_commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
 
 std::string no_such(const char* what, const std::string& name,
@@ -183,37 +126,57 @@ std::string no_such_option(const CLI::App& command, const std::string& name) {
 }  // namespace
 
 std::string help_of(const CLI::App& app) {
-  const HelpCommand command = described(app);
-  const std::string name = command.name.empty() ? kProgram : kProgram + (" " + command.name);
-  std::string out = wrapped(command.summary, 0) + "\n\n" +
-                    wrapped(fmt::format("Usage: {} {}", name, command.usage), 4) + "\n";
-  for (const auto& [title, options] : command.groups) {
-    out += fmt::format("\n{}:\n", title);
-    for (const HelpOption& option : options) out += option_text(option);
+  std::vector<std::pair<std::string, std::string>> groups;  // title and lines
+  const auto group = [&](const std::string& title) -> std::string& {
+    for (auto& [known, lines] : groups) {
+      if (known == title) return lines;
+    }
+    const auto place = [](const auto& g) {
+      return g.first == "Arguments" ? 0 : g.first == "Limits" ? 2 : g.first == "Other" ? 3 : 1;
+    };
+    const std::pair<std::string, std::string> added{title, ""};
+    const auto behind = std::ranges::upper_bound(groups, place(added), {}, place);
+    return groups.insert(behind, added)->second;
+  };
+  for (const CLI::App* command : listed_commands(app)) {
+    group("Commands") += option_text(command->get_name(), command->get_description());
   }
-  return command.end.empty() ? out : out + "\n" + command.end + "\n";
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;
+    std::string text = option->get_description();
+    text.insert(std::min(text.find('\n'), text.size()), facts_of(*option));
+    if (option->get_positional()) {
+      group("Arguments") += option_text(argument_name(*option), text);
+    } else {
+      group(option->get_group()) += option_text(option_name(*option), text);
+    }
+  }
+  const std::string name =
+      app.get_parent() == nullptr ? kProgram : kProgram + (" " + app.get_name());
+  std::string out = wrapped(app.get_description(), 0) + "\n\n" +
+                    wrapped(fmt::format("Usage: {} {}", name, usage_of(app)), 4) + "\n";
+  for (const auto& [title, lines] : groups) out += fmt::format("\n{}:\n{}", title, lines);
+  return app.get_footer().empty() ? out : out + "\n" + app.get_footer() + "\n";
 }
 
 std::string manual_page(const CLI::App& app, const std::string& version) {
-  const std::vector<HelpCommand> commands = all_described(app);
   std::string title = kProgram;
   std::ranges::transform(title, title.begin(), [](unsigned char c) { return std::toupper(c); });
-  std::string out = fmt::format(".TH {} 1 \"\" \"{} {}\"\n.SH NAME\n{} \\- {}\n.SH DESCRIPTION\n",
-                                title, kProgram, version, kProgram, roff(commands.front().summary));
-  for (const HelpCommand& command : commands) {
-    if (&command != &commands.front()) out += fmt::format(".SH {}\n", command.name);
-    out += roff_command(command);
-  }
+  std::string out = fmt::format(".TH {} 1 \"\" \"{} {}\"\n.SH NAME\n{} \\- {}\n", title, kProgram,
+                                version, kProgram, roff(app.get_description()));
+  const auto add = [&out](const std::string& section, const CLI::App& command) {
+    out += fmt::format(".SH {}\n.nf\n{}.fi\n", section, roff(help_of(command)));
+  };
+  add("DESCRIPTION", app);
+  for (const CLI::App* command : listed_commands(app)) add(command->get_name(), *command);
   return out;
 }
 
 std::string bash_completion(const CLI::App& app) {
-  const std::vector<HelpCommand> commands = all_described(app);
   std::string names, cases;
-  for (const HelpCommand& command : commands) {
-    if (command.name.empty()) continue;
-    names += command.name + " ";
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", command.name, long_names(command));
+  for (const CLI::App* command : listed_commands(app)) {
+    names += command->get_name() + " ";
+    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), long_names(*command));
   }
   return fmt::format(R"(_{0}() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" words=""
@@ -229,7 +192,7 @@ std::string bash_completion(const CLI::App& app) {
 }}
 complete -o default -F _{0} {0}
 )",
-                     kProgram, names, long_names(commands.front()), cases);
+                     kProgram, names, long_names(app), cases);
 }
 
 const CLI::App& chosen_command(const CLI::App& app) {
@@ -259,7 +222,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::string extra = app.remaining(true).front();
     if (&command == &app) return extra + ": " + no_such_command(app, extra);
     return fmt::format("{}: is one argument too many; usage: ccdfuzz {} {}", extra,
-                       command.get_name(), described(command).usage);
+                       command.get_name(), usage_of(command));
   }
   std::string text = error.what();
   for (const char* verb : {" is required", " excludes ", " requires "}) {

@@ -5,12 +5,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <utility>
 
-#include "base/number_text.hpp"
-#include "base/text.hpp"
 #include "io/fields.hpp"
 #include "io/output_file.hpp"
 
@@ -31,20 +28,6 @@ std::map<std::string, std::string> parts_of(const RunHeader& header) {
   return parts;
 }
 
-/// Whether both say the same. A number may be spelled in several ways, but for a whole one.
-bool is_one_value(const std::string& value, const std::string& other) {
-  if (value == other) return true;
-  if (parse_whole("", value) && parse_whole("", other)) return false;
-  const auto number = parse_number("", value), other_number = parse_number("", other);
-  return number && other_number && *number == *other_number;
-}
-
-/// The same of each value of an option's list.
-bool are_alike(const std::string& name, const std::string& value, const std::string& other) {
-  if (!name.starts_with("--")) return value == other;
-  return std::ranges::equal(texts_between(value), texts_between(other), is_one_value);
-}
-
 std::string text_of(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.of);
 }
@@ -57,8 +40,9 @@ std::optional<std::string> RunHeader::difference(const RunHeader& other) const {
   for (const auto& [name, value] : ours) {
     const auto found = theirs.find(name);
     if (found == theirs.end()) return fmt::format("no {} in place of {}", name, value);
-    if (!are_alike(name, value, found->second))
+    if (found->second != value) {
       return fmt::format("{} {} in place of {}", name, found->second, value);
+    }
     theirs.erase(found);
   }
   if (theirs.empty()) return std::nullopt;

@@ -5,10 +5,10 @@
 #include <exception>
 
 #include "base/no_process.hpp"
-#include "case/mesh.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "certify/oracle/outcome_of.hpp"
 #include "files/check_file.hpp"
 
 namespace ccdfuzz {
@@ -22,31 +22,6 @@ Judged failed(const std::exception& error, std::string name) {
 }
 
 }  // namespace
-
-Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ordinary) {
-  const Outcome outcome = judge(known, answer);
-  const Query& query = known.query();
-  const double tolerance = answer.terms.depth_tolerance;
-  if (!is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
-  // A graze before a deep contact of a mesh is not ordinary, and hits of the deep one may be so
-  // late. Nor is a touch at the start that has no depth.
-  const bool starts_in_contact = *known.contact_by() == 0;
-  const bool may_graze = is_ordinary && (has_mesh(query) || starts_in_contact);
-  if (!(tolerance > 0) && !may_graze) return outcome;
-  const Rational speed = greatest_speed(query);
-  Rational most = exact(tolerance);
-  if (may_graze) most += exact(answer.terms.time_tolerance) * speed;
-  // Moved back by so much, they would not touch: no overlap is deeper than the way, but one at the
-  // start. A hit after that is late by no more than the way.
-  const bool is_late = outcome == Outcome::kLate;
-  const Rational overlooked =
-      is_late ? exact(*answer.toi) - *known.contact_by() : exact(query.t_max);
-  if ((is_late || !starts_in_contact) && speed * overlooked <= most) return Outcome::kCorrect;
-  const std::optional<double> depth =
-      depth_of(known, {answer, outcome, "", 0, 0, answer.terms.in_plane});
-  if (!depth) return Outcome::kUnknown;
-  return *depth <= round_down(most) ? Outcome::kCorrect : outcome;
-}
 
 void decide_unknown(NamedCase& named) {
   const Query& query = named.value.query;
@@ -64,7 +39,11 @@ std::optional<double> depth_of(const CheckedCase& known, const Judged& judged) {
   const Query& query = known.query();
   if (!is_false_negative(judged.outcome)) return std::nullopt;
   const double until = judged.outcome == Outcome::kLate ? *judged.answer.toi : query.t_max;
-  if (is_of_bodies(query)) return depth_until(query, until, judged.in_plane);
+  if (is_of_bodies(query)) {
+    const std::optional<double> depth = depth_until(query, until, judged.terms.in_plane);
+    // That it is deeper than the tolerance is proven.
+    return depth ? std::optional(std::max(*depth, judged.terms.depth_tolerance)) : depth;
+  }
   const double depth = feature_depth(known.value(), until);
   return depth > 0 ? std::optional(depth) : std::nullopt;
 }
@@ -85,7 +64,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(error, "exception");
   }
   // By the terms of the answer (method.hpp). What throws here is no fault of the method.
-  const Outcome outcome = outcome_of(known, answer, domain != nullptr && domain->ordinary);
+  const Outcome outcome =
+      outcome_of(known, answer, answer.terms, domain != nullptr && domain->ordinary);
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
   if (answer.broken_claim && !wrong) {
@@ -101,10 +81,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
                       answer.terms.kept_separation, since->get_d());
     }
   }
-  const bool in_plane = answer.terms.in_plane;
-  const double in_depth = answer.terms.depth_tolerance, in_time = answer.terms.time_tolerance;
   const char* const error = outcome == Outcome::kError ? "nonsense" : "";
-  return {std::move(answer), outcome, error, late_by, 0, in_plane, in_depth, in_time};
+  return {answer, outcome, error, late_by, 0, answer.terms};
 }
 
 }  // namespace ccdfuzz

@@ -14,12 +14,6 @@ void decide_unknown(NamedCase& named);
 /// The same, and then as check_case.
 Result<CheckedCase> decided_and_checked(NamedCase& named);
 
-/// How an answer stands by its terms (judge). Under a tolerance in space a miss or a late hit of
-/// bodies is correct where they overlap no deeper in the time that it overlooks. It is unknown
-/// where that is not measured. is_ordinary: who is asked ordinary queries alone may overlook a
-/// contact of a mesh, or one at the start, that has no depth.
-Outcome outcome_of(const CheckedCase& known, const Answered& answer, bool is_ordinary);
-
 /// Puts the query of a case to a method and judges the answer by its terms. A method that throws
 /// has the outcome error, with what it threw as the note, and undecided as the verdict. Errors:
 /// throws NoProcess where it does.

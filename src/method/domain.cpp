@@ -11,6 +11,7 @@
 #include "case/body_motion.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "method/setting.hpp"
 
 namespace ccdfuzz {
@@ -114,6 +115,11 @@ std::string Domain::broken_by(const Query& query) const {
 
 std::string Domain::broken_by(const Case& value) const {
   if (std::string why = broken_by(value.query); !why.empty() || !ordinary) return why;
+  if (value.truth == Truth() && is_decided_exactly(value.query)) {
+    // What is ordinary rests on when and how patches touch.
+    const Case decided{value.query, decide(value.query).truth, {}, {}};
+    if (decided.truth != Truth()) return broken_by(decided);
+  }
   if (!plane && has_flat_body(value.query)) {
     return "takes bodies of four points or more that have a volume";
   }

@@ -11,7 +11,7 @@
 #include "case/answer.hpp"
 #include "case/case.hpp"
 #include "case/judge.hpp"
-#include "ccd/search_options.hpp"
+#include "case/search_options.hpp"
 #include "method/domain.hpp"
 #include "method/features.hpp"
 
@@ -69,10 +69,10 @@ class Method {
   /// Whether trace() can follow witnesses through it.
   virtual bool is_traceable() const { return false; }
   /// Follows a witness through its inclusion tests, the code that its queries run. Once warm, a
-  /// trace allocates nothing. Requires is_traceable(), a valid query, a precision in (0, 1], and a
-  /// witness of the query (check_witness). Throws InternalError where one of these is missing, the
-  /// query is not taken (check_taken), or t* is outside [0, t_max]. Whether the patches touch there
-  /// is not checked. The result is valid until the next call.
+  /// trace allocates nothing but the witness's numbers. Requires is_traceable(), a valid query, a
+  /// precision in (0, 1], and a witness of the query (check_witness). Throws InternalError where
+  /// one of these is missing, the query is not taken (check_taken), or t* is outside [0, t_max].
+  /// Whether the patches touch there is not checked. The result is valid until the next call.
   virtual const Trace& trace(const Query& query, const Witness& witness,
                              const TraceOptions& options);
 };
@@ -123,8 +123,8 @@ Result<void> name_plugin(const std::string& name, const std::string& spec);
 /// The spec of a plug-in that has a name (name_plugin); empty for any other method.
 std::string spec_behind(const std::string& method);
 
-/// What tells a plug-in from another that its name may stand for: its version, and a hash of its
-/// claims, its options and its file. Empty for built-in methods.
+/// What tells a plug-in from another that its name may stand for: its version and a hash. The hash
+/// is of its claims, its options, those of the host, and its file. Empty for built-in methods.
 std::string build_of(const std::string& method);
 
 /// True iff make_method may make it: a built-in method, or a plug-in that was admitted.
@@ -142,7 +142,7 @@ Result<void> check_taken(const std::string& spec, const Query& query);
 /// parameter or a plug-in that was not admitted, naming it.
 Result<std::unique_ptr<Method>> make_method(const std::string& spec);
 
-/// Splits "a,b,c", which the command line gives, admits its plug-ins and checks each spec.
-Result<std::vector<std::string>> parse_method_list(const std::string& list);
+/// The spec of a method, which the option `where` gives: checks it, and admits a plug-in.
+Result<std::string> parse_method(const std::string& where, const std::string& spec);
 
 }  // namespace ccdfuzz

@@ -16,7 +16,7 @@ class MethodSet {
   MethodSet() = default;
   explicit MethodSet(Make make) : make_(std::move(make)) {}
 
-  /// Requires a spec that make accepts: for make_method, one that parse_method_list accepted.
+  /// Requires a spec that make accepts: for make_method, one that parse_method accepted.
   Method& operator[](const std::string& spec) {
     std::unique_ptr<Method>& one = made_[spec];
     if (!one) one = value_or_throw(make_(spec));

@@ -234,14 +234,18 @@ Result<Found> find_family(const std::string& text) {
     std::error_code none;
     const char* const prefix = text.ends_with(".so") ? kPluginPrefix : kPluginProgramPrefix;
     const std::string named = kPluginPrefix + text;
+    // The paper writes TDIBM-E.
+    std::string lower = text;
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
     const std::string meant = is_admitted(named)                             ? named
                               : std::filesystem::is_regular_file(text, none) ? prefix + text
+                              : lower != text && find_family(lower)          ? lower
                                                                              : "";
     return input_error("method",
                        fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "
                                    "plugin-exec:PATH",
                                    text,
-                                   meant.empty() ? did_you_mean(text, specs)
+                                   meant.empty() ? did_you_mean(lower, specs)
                                                  : fmt::format("; did you mean {}?", meant),
                                    fmt::join(specs, ", ")));
   }
@@ -310,17 +314,11 @@ Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
       [](const Found& found) { return found.family->make(found.spec); });
 }
 
-Result<std::vector<std::string>> parse_method_list(const std::string& list) {
-  std::vector<std::string> specs;
-  for (const std::string& spec : texts_between(list)) {
-    CCDFUZZ_TRY_VOID(admit_plugin(spec));
-    CCDFUZZ_TRY_VOID(make_method(spec));
-    if (std::ranges::find(specs, spec) != specs.end()) {
-      return input_error("method", fmt::format("\"{}\" is named twice", spec));
-    }
-    specs.push_back(spec);
-  }
-  return specs;
+Result<std::string> parse_method(const std::string& where, const std::string& spec) {
+  const auto at = [&](const InputError& error) { return InputError{where, error.what}; };
+  CCDFUZZ_TRY_VOID(admit_plugin(spec).map_error(at));
+  CCDFUZZ_TRY_VOID(make_method(spec).map_error(at));
+  return spec;
 }
 
 }  // namespace ccdfuzz

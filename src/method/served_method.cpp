@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "files/case_json.hpp"
 #include "io/fields.hpp"

@@ -18,9 +18,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Below this no sum or product of a few coordinates and times under- or overflows.
-constexpr int kOrdinaryBits = 40;
-
 /// Control point i at time t, rounded.
 Vec3<double> position_at(const MovingPatch<double>& patch, size_t i, double t) {
   return patch.positions[i] + t * rounded_velocity(patch, i);
@@ -204,8 +201,7 @@ bool slides(const Case& value) {
             !(depth_until(value.query, value.query.t_max) >= kThinnest * size_of(value.query)));
   }
   if (is_of_bodies(value.query)) {
-    const auto& clearance = value.truth.clearance;
-    const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr;
+    const auto* apart = clearance_of<BodyClearance>(value.truth);
     return apart != nullptr && value.truth.collides == true && slides_along(*apart, value.query);
   }
   const std::optional<Witness>& witness = value.truth.witness;
@@ -224,7 +220,7 @@ bool is_at_an_end(const Case& value) {
 }  // namespace
 
 Setting setting_of(const Case& value) {
-  if (!is_within_scale(value.query, kOrdinaryBits)) return Setting::kExtreme;
+  if (!is_within_scale(value.query, kOrdinaryScale)) return Setting::kExtreme;
   if (is_degenerate(value)) return Setting::kDegenerate;
   if (touches_at_start(value.query)) return Setting::kTouching;
   if (slides(value)) return Setting::kSliding;

@@ -24,12 +24,14 @@ enum class Setting : std::uint8_t {
                 ///< line (kThinnest). Or a body of three points or more is flatter than its count
                 ///< promises in space, or in the plane z = 0 if both are there (is_in_plane). Or it
                 ///< has a point twice. Or nothing moves against the rest
-  kExtreme,     ///< a number that is not 0 lies outside 2^±40
+  kExtreme,     ///< a number that is not 0 lies outside 2^±kOrdinaryScale
 };
 constexpr std::array<std::string_view, 6> names_of(Setting) {
   return {"ordinary", "at an end", "sliding", "touching at 0", "degenerate", "extreme"};
 }
 inline constexpr auto kAllSettings = all_of(Setting{});
+/// Below this no sum or product of a few coordinates and times under- or overflows.
+inline constexpr int kOrdinaryScale = 40;
 /// What is taken for the end of a step: a thousandth of it, which no code that steps by time tells
 /// from the next step.
 inline constexpr double kEndShare = 0x1p-10;

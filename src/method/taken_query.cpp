@@ -8,7 +8,7 @@ namespace ccdfuzz {
 
 TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&query) {
   const auto& [a, b] = query.patches;
-  const bool is_untold = !is_of_bodies(query) && is_kept(query.separation, features);
+  const bool is_untold = is_kept(query.separation, features);
   const bool is_apart = query.separation > 0 && !features.separation && !is_untold;
   const bool is_of_ends = has_ends(query) && !features.ends;
   const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;

@@ -57,12 +57,12 @@ class SmallDyadic {
     return std::ldexp(static_cast<double>(static_cast<std::int64_t>(m_)), static_cast<int>(k_));
   }
 
-  /// This number divided by an odd one. nullopt if that is not dyadic.
-  std::optional<SmallDyadic> divided_by_odd(int by) const {
+  /// This number over another. nullopt if that is not dyadic. Requires by ≠ 0, which fits.
+  std::optional<SmallDyadic> divided(const SmallDyadic& by) const {
     if (!fits_) return *this;
-    if (m_ % by != 0) return std::nullopt;
-    SmallDyadic out = *this;
-    out.m_ /= by;
+    if (m_ % by.m_ != 0) return std::nullopt;
+    SmallDyadic out = scaled(-by.k_);
+    out.m_ /= by.m_;
     return out;
   }
   SmallDyadic scaled(long shift) const {

@@ -18,7 +18,8 @@ TEST(NumberText, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parse_number("--x", "1-2^-20"), 1 - 0x1p-20);
   EXPECT_EQ(parse_number("--x", "0x1.8p-3"), 0x1.8p-3);
   EXPECT_EQ(parse_number("--x", "-3"), -3.0);
-  EXPECT_EQ(parse_numbers("--x", "1,1+2^-30,1.5"), (std::vector<double>{1, 1 + 0x1p-30, 1.5}));
+  EXPECT_EQ(parse_list("--x", "1,1+2^-30,1.5", parse_number),
+            (std::vector<double>{1, 1 + 0x1p-30, 1.5}));
 }
 
 TEST(NumberText, ReadsTheSameInEveryRoundingMode) {
@@ -41,8 +42,8 @@ TEST(NumberText, RefusesTheRestNamingOptionAndText) {
     EXPECT_EQ(number.error().where, "--option");
     EXPECT_NE(number.error().what.find(fmt::format("\"{}\"", text)), std::string::npos);
   }
-  for (const char* text : {"", ",", "1,", ",1", "1,,2", "1;2"}) {
-    EXPECT_FALSE(parse_numbers("--option", text)) << text;
+  for (const char* text : {"", ",", "1,", ",1", "1,,2", "1;2", "1,2,1.0"}) {
+    EXPECT_FALSE(parse_list("--option", text, parse_number)) << text;
   }
 }
 

@@ -1,7 +1,6 @@
 // Loops that a patch may have. trims.cells states which region they bound.
 #include "bezier/trim.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -31,11 +31,9 @@ Query slivers(Draw& random, double apart, double gap) {
     const double sign = s == 0 ? -1 : 1;
     MovingPatch<double>& patch = query.patches[static_cast<size_t>(s)];
     patch.shape = Shape::triangle(2);
-    for (int i = 0; i <= 2; ++i) {
-      for (int j = 0; j <= 2 - i; ++j) {
-        patch.positions.push_back((.5 * i) * u + (.5 * j) * v + sign * (.5 * gap + 1) * normal);
-      }
-    }
+    for_each_control(patch.shape, [&](int i, int j) {
+      patch.positions.push_back((.5 * i) * u + (.5 * j) * v + sign * (.5 * gap + 1) * normal);
+    });
     patch.velocities.assign(6, -sign * normal);
   }
   return query;

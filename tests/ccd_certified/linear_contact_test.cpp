@@ -8,7 +8,6 @@
 
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/rough_contact.hpp"
-#include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "files/case_json.hpp"
@@ -119,33 +118,10 @@ Query about_origin(Draw& random, int bits) {
   return query;
 }
 
-// Level 45 is too fine for short integers.
-TEST(LawL10, IsTheSameInShortAndLongIntegers) {
-  Draw random{Random::keyed({41})};
-  int is_short = 0, hits = 0, total = 0;
-  for (std::size_t i = 0; i < 6000 / kOneIn; ++i, ++total) {
-    const Query query = about_origin(random, random.pick(std::array{1, 2, 3, 20, 53}));
-    const LinearContact coarse = first_linear_contact(query, 44),
-                        fine = first_linear_contact(query, 45);
-    ASSERT_EQ(coarse.kind, fine.kind) << to_json({query, {}, {}, {}});
-    ASSERT_LE(coarse.toi, fine.toi) << to_json({query, {}, {}, {}});
-    ASSERT_LE(fine.toi - coarse.toi, 0x1p-43 * query.t_max) << to_json({query, {}, {}, {}});
-    is_short += short_contact(query).has_value();
-    hits += coarse.kind == Kind::kProven;
-  }
-  EXPECT_GT(is_short, total / 2);
-  if (kOneIn == 1) {
-    EXPECT_LT(is_short, total) << "few are long";
-  }
-  EXPECT_GT(hits, total / 20);
-}
-
-/// Whether short integers, then long ones, decide as another code in GMP does.
+/// Whether integers decide as another code in GMP does.
 void expect_decided(const Query& query) {
-  const Kind kind = linear::first_contact(query) ? Kind::kProven : Kind::kNone;
-  for (const int level : {44, 45}) {
-    ASSERT_EQ(first_linear_contact(query, level).kind, kind) << to_json({query, {}, {}, {}});
-  }
+  ASSERT_EQ(kind_of(query), linear::first_contact(query) ? Kind::kProven : Kind::kNone)
+      << to_json({query, {}, {}, {}});
 }
 
 /// Two patches about the origin with coordinates that are −1, 0 or 1, which rest or move likewise.

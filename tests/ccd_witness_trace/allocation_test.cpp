@@ -8,7 +8,6 @@ namespace ccdfuzz {
 namespace {
 
 TEST(Trace, AllocatesNothingOnceWarm) {
-  count_gmp_allocations();
   std::vector<Case> cases;
   for (std::uint64_t index = 0; index < 4; ++index) {
     cases.push_back(generated_case(ContactClass::kFF, Family::kRegular, index));

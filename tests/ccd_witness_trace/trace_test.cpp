@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ccd/certified/linear_advance.hpp"
 #include "ccd/random_query.hpp"
 #include "ccd/rational/pair_test.hpp"
 #include "ccd/witness_trace/inclusion_tracer.hpp"

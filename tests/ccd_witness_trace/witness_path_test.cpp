@@ -56,25 +56,6 @@ RC_GTEST_PROP(WitnessPath, ContainsWhatCellsContain, ()) {
   }
 }
 
-RC_GTEST_PROP(WitnessPath, TimeLiesBetweenTheNearestDoubles, ()) {
-  Rational t = any_fraction() * *rc::gen::inRange(1, 1000);
-  const long shift = *rc::gen::element(0L, 0L, -30L, 900L, -900L, -1040L, -1074L, -1090L);
-  t *= power_of_two(shift);
-  Witness witness;
-  witness.t = t;
-  WitnessPath path;
-  path.assign({Shape::point(), Shape::point()}, witness);
-  RC_ASSERT(path.time().lo == round_down(t));
-  RC_ASSERT(path.time().hi == round_up(t));
-  for (const int exponent : {0, 3, -7, 900, -60, -1070}) {
-    const Rational scaled_t = t * power_of_two(-exponent);
-    if (scaled_t > exact(std::numeric_limits<double>::max())) continue;
-    path.assign({Shape::point(), Shape::point()}, witness, exponent);
-    RC_ASSERT(path.time().lo == round_down(scaled_t));
-    RC_ASSERT(path.time().hi == round_up(scaled_t));
-  }
-}
-
 TEST(TimeBounds, ATimeBetweenDoublesIsNoneOfThem) {
   const double below = 1, above = std::nextafter(1., 2.);
   const TimeBounds between{below, above}, at{below, below};

@@ -1,7 +1,6 @@
 // Certificates W and K of bodies, by hand, so that each number is known to be right.
 #include <gtest/gtest.h>
 
-#include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "changed.hpp"
@@ -66,7 +65,7 @@ TEST(CheckBodies, ForgedWeightsAreRefused) {
 }
 
 bool clearance_holds(const auto& change) {
-  const auto check = [](const auto&... given) { return check_clearance(given..., ""); };
+  const auto check = [](const auto&... given) { return check_clearance(given...); };
   return holds_changed(ball_on_box(), BodyClearance{1, {0, 1, 0}, false}, check, change);
 }
 
@@ -84,13 +83,13 @@ TEST(CheckBodies, ForgedDirectionsAreRefused) {
 
 TEST(CheckBodies, ProofsOfPatchesProveNothingOfBodiesNorTheOtherWayRound) {
   const Query bodies = ball_on_box();
-  EXPECT_FALSE(check_clearance(bodies, MovingPlane{Rational(1, 2), {0, -1, 0}, 0}, ""));
-  EXPECT_FALSE(check_clearance(bodies, MissTree{Rational(1, 2), {}}, ""));
-  EXPECT_FALSE(check_clearance(bodies, LinearClearance{Rational(1, 2), false}, ""));
+  EXPECT_FALSE(check_clearance(bodies, MovingPlane{Rational(1, 2), {0, -1, 0}, 0}));
+  EXPECT_FALSE(check_clearance(bodies, MissTree{Rational(1, 2), {}}));
+  EXPECT_FALSE(check_clearance(bodies, LinearClearance{Rational(1, 2), false}));
   Query points;
   points.patches[0] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
   points.patches[1] = {Shape::point(), {{0, 3, 0}}, {{0, 0, 0}}};
-  EXPECT_FALSE(check_clearance(points, BodyClearance{1, {0, 1, 0}, true}, ""));
+  EXPECT_FALSE(check_clearance(points, BodyClearance{1, {0, 1, 0}, true}));
   Case known{bodies, {}, {}};
   known.truth.contact_root = ContactRoot{{-1, 1}, 0, 2};
   EXPECT_FALSE(check_truth(known));

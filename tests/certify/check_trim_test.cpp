@@ -1,5 +1,4 @@
 // What the checker says of trimmed patches: contacts count in the closed region alone.
-#include "certify/checker/check_trim.hpp"
 
 #include <gmock/gmock.h>
 
@@ -126,7 +125,7 @@ TEST(CheckTrim, TheCornersOfPartsAreCountedAsWork) {
 
 TEST(CheckTrim, WhatHoldsOfTheWholePatchHoldsOfTheTrimmed) {
   const Case c = trimmed({{{0.5, 0}, {1, 0}, {0.5, 0.5}}});
-  EXPECT_TRUE(check_clearance(c.query, rising_plane(), ""));
+  EXPECT_TRUE(check_clearance(c.query, rising_plane()));
 }
 
 }  // namespace

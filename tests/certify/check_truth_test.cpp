@@ -65,7 +65,7 @@ TEST(CheckTruth, RefusesAContradiction) {
 
 TEST(CheckTruth, RefusesAnInvalidQuery) {
   EXPECT_EQ(refusal_after([](Case& c) { c.query.patches[0].positions.pop_back(); }),
-            "patches[0].positions: triangle(1) needs 3 control points, not 2");
+            "patches[0].positions: has 2; triangle(1) needs 3");
 }
 
 TEST(ReadCheckedCases, NamesFileLineAndField) {

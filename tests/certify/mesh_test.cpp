@@ -28,7 +28,7 @@ MeshClearance valley_clearance() {
 }
 
 bool mesh_clearance_holds(const auto& change) {
-  const auto check = [](const auto&... given) { return check_clearance(given..., ""); };
+  const auto check = [](const auto&... given) { return check_clearance(given...); };
   return holds_changed(ball_into_valley(), valley_clearance(), check, change);
 }
 

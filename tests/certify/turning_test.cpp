@@ -56,7 +56,7 @@ class CheckTurning : public testing::TestWithParam<bool> {
     Query query = rod_to_point(turn());
     BodyPlanes clearance = rod_planes(turn());
     change(query, clearance);
-    return is_valid(query) && check_clearance(query, clearance, "").has_value();
+    return is_valid(query) && check_clearance(query, clearance).has_value();
   }
 };
 INSTANTIATE_TEST_SUITE_P(Turns, CheckTurning, testing::Bool());
@@ -157,8 +157,8 @@ TEST_P(CheckTurning, ForgedPlanesAreRefused) {
 
 TEST_P(CheckTurning, NoOtherProofIsOfBodiesThatTurn) {
   const Query turning = rod_to_point(turn());
-  EXPECT_FALSE(check_clearance(turning, BodyClearance{Rational(1, 8), {0, 1, 0}, true}, ""));
-  EXPECT_FALSE(check_clearance(turning, MissTree{Rational(1, 8), {}}, ""));
+  EXPECT_FALSE(check_clearance(turning, BodyClearance{Rational(1, 8), {0, 1, 0}, true}));
+  EXPECT_FALSE(check_clearance(turning, MissTree{Rational(1, 8), {}}));
   Case known{turning, {}, {}};
   known.truth.collides = true;
   known.truth.witness = rod_witness();

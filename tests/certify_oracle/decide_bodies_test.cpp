@@ -1,4 +1,3 @@
-#include "certify/oracle/decide_bodies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -49,16 +49,14 @@ class RandomQueries {
       return Vec3<double>(between(-size, size), y, z);
     };
     const Vec3<double> centre = vector(offset), velocity = vector(2);
-    for (int i = 0; i <= shape.n; ++i) {
-      for (int j = 0; j <= (shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m); ++j) {
-        Vec3<double> flat = {shape.n == 0 ? 0.0 : i / static_cast<double>(shape.n),
-                             j / static_cast<double>(std::max(shape.m, std::max(shape.n, 1))), 0};
-        Vec3<double> turned;
-        for (Eigen::Index k = 0; k < 3; ++k) turned[(k + turn) % 3] = flat[k];
-        p.positions.emplace_back(centre + turned + vector(0.2));
-        p.velocities.emplace_back(velocity + vector(0.4));
-      }
-    }
+    for_each_control(shape, [&](int i, int j) {
+      Vec3<double> flat = {shape.n == 0 ? 0.0 : i / static_cast<double>(shape.n),
+                           j / static_cast<double>(std::max(shape.m, std::max(shape.n, 1))), 0};
+      Vec3<double> turned;
+      for (Eigen::Index k = 0; k < 3; ++k) turned[(k + turn) % 3] = flat[k];
+      p.positions.emplace_back(centre + turned + vector(0.2));
+      p.velocities.emplace_back(velocity + vector(0.4));
+    });
     return p;
   }
 

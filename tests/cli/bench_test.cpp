@@ -51,19 +51,13 @@ TEST(Bench, AQueryStopsAtTheBudgetAndTheTableSaysSo) {
   EXPECT_THAT(finished.out, testing::HasSubstr("≥ "));
 }
 
-TEST(Bench, ATimeLimitIsReportedWithItsLargestOverrun) {
-  const std::vector<std::string> arguments = {"bench", "--classes", "VV",   "--count",
-                                              "1",     "--methods", "trad", "--json"};
-  for (const auto& row : json_lines(ccdfuzz(arguments).out)) {
-    EXPECT_TRUE(row.at("overrun_seconds").is_null()) << "no limit";
-  }
-  std::vector<std::string> limited = with(arguments, {"--max-seconds", "1e-6"});
-  const auto rows = json_lines(ccdfuzz(limited).out);
+TEST(Bench, AQueryStopsAtATimeLimit) {
+  const std::vector<std::string> arguments = {
+      "bench",  "--classes", "VV",   "--count",       "1",
+      "--json", "--methods", "trad", "--max-seconds", "1e-6"};
+  const auto rows = json_lines(ccdfuzz(arguments).out);
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_GE(rows[0].at("undecided"), 1);
-  EXPECT_GT(rows[0].at("overrun_seconds"), 0) << "no pair of boxes takes less than a microsecond";
-  limited.back() = "1000";
-  EXPECT_EQ(json_lines(ccdfuzz(limited).out).at(0).at("overrun_seconds"), 0);
+  EXPECT_GE(rows[0].at("undecided"), 1) << "no pair of boxes takes less than a microsecond";
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "certify/checker/miss_tree.hpp"
 #include "files/case_files.hpp"
 #include "files/case_json.hpp"
-#include "files/tree_file.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -42,14 +41,10 @@ class Hostile : public testing::Test {
     return path;
   }
   std::string with_tree(const Query& query, const std::string& tree) const {
-    const std::string path = folder_ / "case.json";
-    TreeWriter trees(path);
-    const Result<TreeRef> ref = trees.write(tree);
-    EXPECT_TRUE(ref && trees.finish());
     Case value;
     value.query = query;
     value.truth.clear_until = Rational(1, 4);
-    value.truth.clearance = MissTree{Rational(1, 4), *ref};
+    value.truth.clearance = MissTree{Rational(1, 4), {tree}};
     return file(value);
   }
   ScratchFolder folder_;

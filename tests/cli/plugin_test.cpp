@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "falling_vertex.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -88,6 +89,50 @@ TEST(Plugins, WriteNothingAndHaveNoNetworkInBubblewrapAsThePageSays) {
   std::filesystem::remove(spy + ".written");
   EXPECT_THAT(confined(std::string(CCDFUZZ_SOURCE_DIR) + "/examples/plugins/boxes.py"),
               testing::HasSubstr("boxes, in Python"));
+}
+
+/// The spec of a plug-in that answers for a while, several times a query, and is then there no
+/// more.
+std::string vanishing(const std::string& path) {
+  write_text(path, R"(#!/bin/sh
+read line || exit
+echo '{"protocol":1}'
+for _ in $(seq 20); do
+  read line || exit
+  id=$(echo "$line" | sed 's/.*"id":\([0-9]*\).*/\1/')
+  echo "{\"id\":$id,\"verdict\":\"miss\"}"
+done
+rm "$0"
+)");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return "plugin-exec:" + path;
+}
+
+TEST(Plugins, ThatVanishEndCommandsWithWhatTheyHave) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", program = folder / "vanishing";
+  std::string queries;
+  for (int i = 0; i < 9; ++i) queries += falling_vertex("-1,2", 1);
+  write_text(csv, queries);
+  const auto run = [&](std::vector<std::string> command) {
+    Finished finished =
+        ccdfuzz(with(std::move(command), {csv, "--threads", "1", "--methods", vanishing(program)}));
+    EXPECT_EQ(finished.code, 3) << finished.out << finished.err;
+    EXPECT_THAT(finished.err, testing::HasSubstr("no process answers"));
+    EXPECT_THAT(finished.err, testing::HasSubstr("ccdfuzz: \"plugin-exec:" + program));
+    return finished;
+  };
+  const auto some_cases = testing::ContainsRegex("[2-8] cases, [2-8] queries a method");
+  EXPECT_THAT(run({"evaluate"}).out, some_cases);
+  EXPECT_THAT(run({"evaluate", "--csv", folder / "out.csv"}).out, some_cases);
+  const std::string answers = folder / "run/answers.jsonl";
+  EXPECT_THAT(run({"evaluate", "-o", folder / "run"}).err,
+              testing::HasSubstr("goes on from there"));
+  EXPECT_THAT(run({"replay", "--expect", "correct"}).out,
+              testing::ContainsRegex("[2-8] entries, [2-8] expect"));
+  EXPECT_THAT(run({"query"}).out, testing::ContainsRegex("[2-8] cases, [2-8] answers"));
+  EXPECT_FALSE(std::filesystem::exists(answers) || std::filesystem::exists(folder / "out.csv"));
+  EXPECT_TRUE(std::filesystem::exists(answers + ".partial"));
 }
 
 /// The C++ between the first pair of fences of the page for newcomers.

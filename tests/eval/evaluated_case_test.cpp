@@ -89,6 +89,11 @@ TEST(Rows, RegularAndGrazingAreApartAndTable1PutsThemTogether) {
   EXPECT_NE(table_1[3][8].find("/1100"), std::string::npos);
   ASSERT_EQ(table_2.size(), 5U);
   EXPECT_NE(table_2[4][8].find("/100 "), std::string::npos);
+  EXPECT_EQ(evaluation_tables(rows, {})[1].note.find("certificate"), std::string::npos);
+  EvaluatedCase unproven = answer_to("VV", "RN", "tdibm", Outcome::kUnknown);
+  unproven.collides.reset();
+  rows.add(unproven);
+  EXPECT_NE(evaluation_tables(rows, {})[1].note.find("certificate: 1;"), std::string::npos);
   Rows half;
   half.add(answer_to("FF", "RP", "tdibm", Outcome::kCorrect));
   EXPECT_EQ(paper_table_1(half).row_count(), 0U);

@@ -138,6 +138,19 @@ TEST(QueryCsv, KeepsEndsWhoseWayIsNoDouble) {
   EXPECT_EQ(rows->end, queries->front().end);
 }
 
+TEST(QueryCsv, RoundsWaysToVelocitiesWhereAsked) {
+  std::string text = kVertexFaceRows;
+  text.replace(text.find("1,4,1,4,-1,2"), 12, "1,4,1,1152921504606846976,-1,2");
+  const auto queries = read(text, CsvLayout::kVertexFace);
+  const CsvQuery& rows = queries->front();
+  EXPECT_TRUE(has_ends(to_case(rows, {}, 0)->query));
+  const auto value = to_case(rows, {.round_ways = true}, 0);
+  EXPECT_FALSE(has_ends(value->query));
+  // From 1/4 to 2^-60.
+  EXPECT_EQ(value->query.patches[0].velocities[0][1], -0.25);
+  EXPECT_EQ(value->origin.more.at("rounded"), "1");
+}
+
 TEST(QueryCsv, RoundsToTheNearestEvenOfTwo) {
   std::string text = kVertexFaceRows;
   // 1 + 3·2^-53 lies between 1 + 2^-52 and 1 + 2^-51; it does not move.

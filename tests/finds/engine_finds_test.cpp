@@ -6,7 +6,6 @@
 
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
-#include "finds/entries.hpp"
 #include "method/domain.hpp"
 #include "numeric/dyadic.hpp"
 

@@ -215,10 +215,10 @@ TEST(Intake, EntriesOfMethodsThatNobodyAdmittedAreAllKept) {
   const ScratchFolder folder, other;
   Taken taken(folder.path(), 1);
   const std::string who = "plugin-exec:./nobody";
-  for (const double x : {31, 3, 7}) {
+  for (const double x : {31, 3, 7, 31, 3, 7}) {
     ASSERT_TRUE(taken.intake.take(entry_in(other / std::to_string(x), find_of(x, who))));
   }
-  EXPECT_EQ(cases_in(folder.path()).size(), 3U);
+  EXPECT_EQ(cases_in(folder.path()).size(), 3U) << "each once, however often it comes";
 }
 
 TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {

@@ -118,6 +118,16 @@ TEST_F(StoreInAFolder, KeepsTheEntryOfAnAddressWhenAnotherIsMovedThere) {
   EXPECT_THAT(cases_in(folder.path()), ElementsAre(by_hand));
 }
 
+// An entry stood by the name of another failure, and was moved to its address.
+TEST_F(StoreInAFolder, AnEntryPutAsideIsUnitedWithNoOtherQuery) {
+  const Case moved = find_of(31, "trad");
+  ASSERT_TRUE(store.put_named(fs::path(store.path_of(kMissed)).stem(), moved));
+  put(store, find_of(7));
+  ASSERT_TRUE(store.put_aside(failures_of(moved).front(), moved));
+  ASSERT_TRUE(store.put_aside(kMissed, find_of(7)));
+  EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(moved, find_of(7)));
+}
+
 TEST_F(StoreInAFolder, APipeInThePlaceOfAFindIsAnError) {
   ASSERT_EQ(::mkfifo(store.path_of(kMissed).c_str(), 0600), 0);
   const auto done = try_put(store, find_of(3));

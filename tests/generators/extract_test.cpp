@@ -1,4 +1,4 @@
-#include "generators/extract.hpp"
+#include "generators/paper.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -28,14 +28,14 @@ TEST(Finalize, ANumberThatNoDoubleHoldsIsRefused) {
   }
 }
 
-// A construction that is wrong does not get out, whatever the kind.
+// A construction that is wrong does not get out.
 TEST(Finalize, AContactThatIsNoneIsABrokenInvariant) {
   Scene scene = some_scene();
   for (Vec3<Dyadic>& p : scene.patches[0].positions) p[0] += Dyadic(1, -40);
-  const Query query = to_query(scene).value();
-  for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-    EXPECT_THROW(finalize(scene, query, kind, Absence{Dyadic(1, -1), {}}), InternalError);
-  }
+  Case value;
+  value.query = to_query(scene).value();
+  const auto& [t, x] = scene.contact;
+  EXPECT_THROW(say_contact(value, {t.rational(), {uv_of(x[0]), uv_of(x[1])}}), InternalError);
 }
 
 }  // namespace

@@ -6,9 +6,6 @@
 
 #include <thread>
 
-#include "ccd/rational/proves_clear.hpp"
-#include "certify/checker/check_truth.hpp"
-#include "generators/prescribe.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

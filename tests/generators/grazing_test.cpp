@@ -1,4 +1,3 @@
-#include "generators/grazing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
-#include "generators/motion.hpp"
+#include "generators/paper.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generators/extract.hpp"
 #include "generators/prescribe.hpp"
 #include "numeric/products.hpp"
 

@@ -45,11 +45,12 @@ TEST(PaperSet, NearMissesHaveACertificate) {
   for (const ContactClass contact : kContactClasses) {
     const PaperCases made = make_paper_cases({contact, CaseKind::kNMN, 1}, 0);
     const Case& miss = made.cases.at(0);
-    ASSERT_FALSE(made.tree.empty());
-    const MissTree tree = {exact(miss.query.t_max), {}};
-    EXPECT_TRUE(check_clearance(miss.query, tree, made.tree)) << name_of(contact);
+    ASSERT_TRUE(miss.truth.clearance);
+    auto tree = std::get<MissTree>(*miss.truth.clearance);
+    EXPECT_TRUE(check_clearance(miss.query, tree)) << name_of(contact);
     // One of a tree that was cut off is refused.
-    EXPECT_FALSE(check_clearance(miss.query, tree, made.tree.substr(0, made.tree.size() / 2)));
+    tree.tree.bytes.resize(tree.tree.bytes.size() / 2);
+    EXPECT_FALSE(check_clearance(miss.query, tree));
   }
 }
 

@@ -5,10 +5,8 @@
 #include <set>
 
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_truth.hpp"
 #include "files/case_json.hpp"
 #include "generators/generate.hpp"
-#include "generators/shaped/features.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "share.hpp"
 

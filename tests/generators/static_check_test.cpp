@@ -1,4 +1,4 @@
-#include "generators/static_check.hpp"
+#include "generators/paper.hpp"
 
 #include <gtest/gtest.h>
 

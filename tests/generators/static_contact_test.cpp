@@ -1,4 +1,4 @@
-#include "generators/static_contact.hpp"
+#include "generators/paper.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

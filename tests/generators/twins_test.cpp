@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "generators/prescribe.hpp"
-
 namespace ccdfuzz {
 namespace {
 

@@ -107,12 +107,10 @@ def digest_of(data, name):
     if name.endswith('.zst'):
         data = decompressed(data)
         name = name[:-len('.zst')]
-    if not name.endswith('.trees'):
-        text = data.decode()
-        if name.endswith('.html'):
-            text = page_data(text)
-        data = (pinned_csv(text) if name.endswith('.csv') else pinned(text)).encode()
-    return hashlib.sha256(data).hexdigest()[:32]
+    text = data.decode()
+    if name.endswith('.html'):
+        text = page_data(text)
+    return hashlib.sha256((pinned_csv(text) if name.endswith('.csv') else pinned(text)).encode()).hexdigest()[:32]
 
 
 def digest(names):

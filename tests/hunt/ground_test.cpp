@@ -44,7 +44,7 @@ double share_used(const HuntGround& ground, const Features& features = {}) {
       used += drawn.empty() ? 0 : 1;
       for (const CheckedCase& asked : drawn) {
         EXPECT_TRUE(ground.has(asked.value()));
-        EXPECT_TRUE(check_case(asked.value(), ""));
+        EXPECT_TRUE(check_case(asked.value()));
         EXPECT_TRUE(asked.value().truth.collides.has_value());
       }
     }
@@ -136,7 +136,7 @@ TEST(Ground, FloatsHaveATruthOfTheirOwn) {
   const Case weighted = ground.fitted(known);
   EXPECT_TRUE(ground.has(weighted));
   EXPECT_EQ(weighted.query.patches[1].weights[1], 0.1F);
-  EXPECT_TRUE(check_case(weighted, ""));
+  EXPECT_TRUE(check_case(weighted));
   known.query.patches[1].weights = {1, 0x1p-40, 1};
   EXPECT_EQ(ground.fitted(known), fitted) << "a weight that is 0 is none";
   known.query.t_max = 0;

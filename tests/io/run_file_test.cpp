@@ -156,20 +156,6 @@ std::string merged_refusal(const std::vector<std::string>& paths) {
   }
 }
 
-TEST(RunHeader, TakesNumbersOfOptionsAsTheirValues) {
-  const RunHeader decimal = header_of(4, {}, "0.0001");
-  EXPECT_FALSE(decimal.difference(header_of(4, {}, "1e-4")));
-  EXPECT_TRUE(decimal.difference(header_of(4, {}, "0.0002")));
-  EXPECT_FALSE(header_of(4, {}, "1,1.5").difference(header_of(4, {}, "1.0,15e-1")));
-  EXPECT_TRUE(header_of(4, {}, "1,1.5").difference(header_of(4, {}, "1,1.5,1.5")));
-  // Which are the same double.
-  EXPECT_TRUE(
-      header_of(4, {}, "9007199254740993").difference(header_of(4, {}, "9007199254740992")));
-  RunHeader later = decimal;
-  later.version = "1.00";
-  EXPECT_TRUE(decimal.difference(later));
-}
-
 TEST(MergedRun, GivesTheItemsAsOneRunHasThem) {
   for (const std::uint64_t of : {1, 2, 3, 7, 9}) {
     const ScratchFolder folder;

@@ -109,6 +109,71 @@ TEST(Ask, HoldsAGrazeOfAMeshAgainstNobodyWhoPromisesOrdinaryQueriesButTheDeepCon
   EXPECT_EQ(outcome({}, 0, false), Outcome::kMissed);
 }
 
+/// Hits at 1/2, and claims to be early by so much at most.
+class IsEarly : public Method {
+ public:
+  explicit IsEarly(double by) : by_(by) {}
+  Answered answer(const Query&, const SearchOptions&) override {
+    Answered answered{Answer::hit(0.5)};
+    answered.terms.early_tolerance = by_;
+    return answered;
+  }
+
+ private:
+  double by_;
+};
+
+TEST(Ask, AHitAsMuchBeforeALaterContactAsIsClaimedIsNoFalsePositive) {
+  Case value;
+  value.query.patches[0] = {Shape::point(), {{0.25, 0.25, 1}}, {{0, 0, -1}}};
+  value.query.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+  value.query.patches[1].velocities.resize(3, {0, 0, 0});
+  value.query.t_max = 0.75;
+  value.truth = decide(value.query).truth;
+  ASSERT_EQ(value.truth.collides, false) << "and of the contact at 1 nothing is said";
+  const auto outcome = [&](double by) {
+    IsEarly method(by);
+    return ask(method, checked_or_unknown(value), {}).outcome;
+  };
+  EXPECT_EQ(outcome(0), Outcome::kFalsePositive);
+  EXPECT_EQ(outcome(0.49), Outcome::kFalsePositive);
+  EXPECT_EQ(outcome(0.5), Outcome::kCorrect);
+  // Nothing comes after the motion.
+  Case ending = value;
+  ending.query.t_max = 1;
+  ending.query.patches[0].positions[0].z() = 2;
+  ending.query.patches[0].velocities.clear();
+  ending.query.patches[0].ends = {{0.25, 0.25, 1}};
+  std::swap(ending.query.patches[1].ends, ending.query.patches[1].velocities);
+  ending.query.patches[1].ends = ending.query.patches[1].positions;
+  ending.truth = decide(ending.query).truth;
+  std::swap(value, ending);
+  EXPECT_EQ(outcome(0.75), Outcome::kFalsePositive);
+  std::swap(value, ending);
+  // What nobody decides is not held against it, beyond what the certificate says.
+  value.query.patches[1] = {
+      Shape::triangle(2),
+      {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}, {0, 1, 0}},
+      {}};
+  value.query.patches[1].velocities.resize(6, {0, 0, 0});
+  value.truth = decide(value.query).truth;
+  ASSERT_EQ(value.truth.collides, false);
+  EXPECT_EQ(outcome(0.5), Outcome::kUnknown);
+  EXPECT_EQ(outcome(0.125), Outcome::kFalsePositive);
+}
+
+TEST(Domain, OfWhatNobodyHasDecidedItIsFoundOutWhetherItIsOrdinary) {
+  Query touching;
+  touching.patches[0] = {Shape::hull(1), {{0, 0, 1}}, {{0, 0, -1}}};
+  touching.patches[1] = {Shape::hull(1), {{0, 0, 0}}, {{0, 0, 0}}};
+  touching.patches[0].radius = 0.5;
+  const Domain ordinary{.ordinary = true};
+  EXPECT_EQ(ordinary.broken_by(Case{touching, {}, {}, {}}), "");
+  touching.t_max = 0.5;
+  EXPECT_EQ(ordinary.broken_by(Case{touching, {}, {}, {}}),
+            "takes ordinary queries, and this is at an end");
+}
+
 TEST(Ask, HoldsNoOverlapOfBodiesWithinTheToleranceAgainstAMethod) {
   EXPECT_EQ(outcome_of(1.0, 0), Outcome::kCorrect);
   EXPECT_EQ(outcome_of(1.125, 0), Outcome::kLate);

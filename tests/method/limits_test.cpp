@@ -22,13 +22,11 @@ Query parallel(const Shape& shape, double gap) {
   for (size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];
     patch.shape = shape;
-    for (int i = 0; i <= shape.n; ++i) {
-      for (int j = 0; j <= (shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m); ++j) {
-        const double u = i / 8.0, v = j / 8.0;
-        patch.positions.push_back({u, v, u * v + (s == 0 ? 0 : gap)});
-        patch.velocities.push_back({0, 0, 0});
-      }
-    }
+    for_each_control(shape, [&](int i, int j) {
+      const double u = i / 8.0, v = j / 8.0;
+      patch.positions.push_back({u, v, u * v + (s == 0 ? 0 : gap)});
+      patch.velocities.push_back({0, 0, 0});
+    });
   }
   query.t_max = 1;
   return query;

@@ -116,7 +116,7 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   }
   if (s.does == "stale") {
     // What it would say now, it says the next time.
-    if (query->patches[1]->positions[0][0] == 8) out->verdict = CCDFUZZ_MISS;
+    out->toi_lower = query->t_max / 2;
     s.last = *out;
     if (before.verdict != 0) *out = before;
   }

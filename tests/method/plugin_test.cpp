@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"large", "sizes", ""}, Misdeed{"overrun", "sizes", "past the end"},
                     Misdeed{"query", "sizes", "into the query"}, Misdeed{"error", "error", ""},
                     Misdeed{"status", "error", "-1"},
-                    Misdeed{"stale", "two answers", "hit at 0, then miss"}));
+                    Misdeed{"stale", "two answers", "hit at 0.5, then hit at 0.25"}));
 
 class ProgramFaults : public testing::TestWithParam<Misdeed> {};
 TEST_P(ProgramFaults, HaveNames) {
@@ -271,7 +271,6 @@ TEST(Plugin, IsBadInputWhenItRefusesToStartOrItsFileIsNone) {
 
 /// Whether a process is there; one that has ended but that nobody looked after yet is not.
 bool lives(pid_t pid) {
-  // getline, not an iterator: of a process that ends just now, reading throws.
   const std::string stat = read_text("/proc/" + std::to_string(pid) + "/stat");
   return !stat.empty() && stat.find(") Z ") == std::string::npos;
 }

@@ -6,8 +6,62 @@
 #include <cmath>
 #include <set>
 
+#include "certify/oracle/oracle.hpp"
+#include "method/domain.hpp"
+
 namespace ccdfuzz {
 namespace {
+
+/// A box that spins falls past a rod that turns.
+Query turning_bodies() {
+  Query query;
+  query.patches[0] = {Shape::hull(2), {{3, 1, 8}, {3, 1, 9}}, {{0.5, 0, -8}}};
+  query.patches[1] = {Shape::hull(2), {{0, 1, 0}, {4, 1, 0}}, {{0, 0, 0}}};
+  query.patches[0].turn = BodyTurn{{}, {}, {3, 1, 8.5}, {0.5, 0.25, 1}};
+  query.patches[1].turn = BodyTurn{{1, 0, 0, 0}, {1, 0.25, 0, 0.5}, {2, 1, 0}};
+  return query;
+}
+
+TEST(DecoyQuery, IsAnotherOfWhichTheSameIsTrueAndPromised) {
+  Query falling;
+  falling.patches[0] = {Shape::point(), {{0.25, 0.5, 1}}, {{0, 0, -2}}};
+  falling.patches[1] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}};
+  falling.patches[1].ends = falling.patches[1].positions;
+  const Domain promised{.scale = 3, .binary32 = true, .ordinary = true};
+  for (const Query& query : {falling, turning_bodies()}) {
+    const Query decoy = decoy_query(query, promised);
+    EXPECT_FALSE(decoy == query);
+    const Truth truth = decide(query).truth, of_decoy = decide(decoy).truth;
+    EXPECT_EQ(of_decoy.collides, truth.collides);
+    EXPECT_EQ(of_decoy.contact_by(), truth.contact_by());
+    EXPECT_EQ(promised.broken_by({decoy, of_decoy, {}, {}}),
+              promised.broken_by({query, truth, {}, {}}));
+  }
+}
+
+TEST(DecoyQuery, AtTwiceTheSpeedTouchesAfterHalfTheTime) {
+  Query query;
+  query.patches[0] = {Shape::hull(2), {{3, 1, 8}, {3, 1, 9}}, {{0.5, 0, -8}}};
+  query.patches[1] = {Shape::hull(2), {{0, 1, 0}, {8, 1, 0}}, {{0, 0, 0}}};
+  query.patches[0].radius = 0.5;
+  EXPECT_EQ(*decide(decoy_query(query, {})).truth.contact_by() * 2,
+            *decide(query).truth.contact_by());
+  query.patches[0].turn = BodyTurn{{}, {}, {3, 1, 8.5}, {0, 0.25, 1}};
+  const Query spinning = decoy_query(query, {});
+  EXPECT_EQ(spinning.t_max, 0.5);
+  EXPECT_EQ(spinning.patches[0].turn->spin, (std::vector<double>{0, -0.5, 2}));
+  const Truth truth = decide(query).truth, of_decoy = decide(spinning).truth;
+  ASSERT_EQ(truth.collides, true);
+  EXPECT_NEAR(of_decoy.contact_by()->get_d() * 2, truth.contact_by()->get_d(), 0x1p-36);
+}
+
+TEST(DecoyQuery, HasAnotherTimeOfImpactIfThatMayBeAsked) {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -1}}};
+  query.patches[1] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  EXPECT_EQ(decoy_query(query, Domain{.scale = 1}).t_max, 0.5);
+  EXPECT_EQ(decoy_query(query, Domain{.scale = 0}).t_max, 1);
+}
 
 TEST(PoisonedQuery, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
   std::set<std::string> where;

@@ -86,11 +86,11 @@ std::vector<Spoilt> spoilt_structures() {
     return [shape](Query& q, SearchOptions&) { q.patches[0].shape = shape; };
   };
   return {
-      {"patches[0].positions: triangle(1) needs 3 control points, not 2",
+      {"patches[0].positions: has 2; triangle(1) needs 3",
        [](Query& q, SearchOptions&) { q.patches[0].positions.pop_back(); }},
-      {"patches[1].positions: triangle(1) needs 3 control points, not 103",
+      {"patches[1].positions: has 103; triangle(1) needs 3",
        [](Query& q, SearchOptions&) { q.patches[1].positions.resize(103); }},
-      {"patches[0].velocities: triangle(1) needs 3 control points, not 0",
+      {"patches[0].velocities: has 0; triangle(1) needs 3",
        [](Query& q, SearchOptions&) { q.patches[0].velocities = {}; }},
       {"patches[0]: tensor(9,1) has a degree outside 1..8", reshape(Shape::tensor(9, 1))},
       {"patches[0]: curve(-1) has a degree outside 1..8", relabel(Shape::curve(-1))},
@@ -102,7 +102,7 @@ std::vector<Spoilt> spoilt_structures() {
        relabel({static_cast<ShapeKind>(255), 2147483647, -2147483647})},
       {"patches[0]: 82, 0: a hull has 1..81 points, and no second number",
        relabel(Shape::hull(82))},
-      {"patches[0].velocities: hull(3) needs 1 control points, not 3", relabel(Shape::hull(3))},
+      {"patches[0].velocities: has 3; hull(3) needs 1", relabel(Shape::hull(3))},
       {"patches[0].shape: hull stands beside a triangle; both patches are hulls, or none",
        [](Query& q, SearchOptions&) {
          q.patches[0].shape = Shape::hull(3);

@@ -10,9 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <iostream>
 #include <map>
 #include <string>
 #include <thread>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generators/contact.hpp"
+#include "generators/generate.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -65,6 +66,22 @@ TEST(FalseNegative, FollowsTheTerms) {
   EXPECT_TRUE(is_false_negative(contact, Answer::miss(), terms));
   terms.contact_at_zero = false;
   EXPECT_FALSE(is_false_negative(contact, Answer::miss(), terms));
+}
+
+TEST(Wrong, IsOfAnyCaseWhatItsProofSays) {
+  GeneratorOptions options{.contact = ContactClass::kVF, .family = Family::kSeparated};
+  Case known = generate(options, 0).value;
+  ASSERT_GT(known.query.separation, 0);
+  EXPECT_FALSE(is_wrong(known, Answer::hit(0)));
+  const Explained missed = is_wrong(known, Answer::miss());
+  EXPECT_TRUE(missed && missed.why.starts_with("missed: answered miss; contact by t = ")) << missed;
+  options.kind = CaseKind::kRN;
+  const Case clear = generate(options, 0).value;
+  EXPECT_FALSE(is_wrong(clear, Answer::miss()));
+  EXPECT_EQ(is_wrong(clear, Answer::hit(0)).why,
+            "false_positive: answered hit at 0 (0x0p+0); no contact in [0, t_max]");
+  known.truth.witness->t /= 2;  // which does not hold
+  EXPECT_FALSE(is_wrong(known, Answer::miss()));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ export function overview(open, pick) {
   const all = failing.length + left;
   const queries = (report.groups ?? []).reduce((s, g) => s + g.n, 0);
   const facts = [
-    queries > 0 && [queries.toLocaleString('en'), 'queries judged'],
+    queries > 0 && [queries.toLocaleString('en'), 'answers judged'],
     [all.toLocaleString('en'), `${all === 1 ? 'counterexample' : 'counterexamples'}${left > 0 ? `, ${failing.length.toLocaleString('en')} of them here` : ''}`],
     cases.some((c) => c.isNew !== null) && [cases.filter((c) => c.isNew).length.toLocaleString('en'), 'of them new'],
     [String(broken.length), broken.length === 1 ? 'guarantee broken' : 'guarantees broken'],

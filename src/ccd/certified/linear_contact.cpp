@@ -8,7 +8,6 @@
 
 #include "ccd/certified/moment.hpp"
 #include "ccd/certified/moving_polygon.hpp"
-#include "ccd/certified/short_contact.hpp"
 #include "numeric/next_double.hpp"
 
 namespace ccdfuzz::certified {
@@ -16,7 +15,6 @@ namespace ccdfuzz::certified {
 namespace {
 
 using Kind = LinearContact::Kind;
-using LongPolygon = MovingPolygon<LongIntegers>;
 
 /// Halvings after which a polynomial is asked for a repeated root, which no halving parts.
 constexpr int kLevelsBeforeGcd = 6;
@@ -45,7 +43,7 @@ struct SignCount {
 
 class ContactSearch {
  public:
-  ContactSearch(LongPolygon& polygon, double t_max, int level)
+  ContactSearch(MovingPolygon& polygon, double t_max, int level)
       : polygon_(polygon), t_max_(t_max), level_(level) {}
 
   LinearContact run() {
@@ -85,7 +83,7 @@ class ContactSearch {
   bool try_moment(Moment& t);
   void keep(Kind kind, const TimeRatio& lower_bound);
 
-  LongPolygon& polygon_;
+  MovingPolygon& polygon_;
   const double t_max_;
   const int level_;
   LinearContact best_{Kind::kNone, 0};
@@ -96,7 +94,7 @@ class ContactSearch {
 template <class Of>
 SignCount ContactSearch::count_signs(Moment& t, bool quick, const Of& of) const {
   SignCount count;
-  std::array<bool, LongPolygon::kMostCorners> open{};
+  std::array<bool, MovingPolygon::kMostCorners> open{};
   for (std::size_t i = 0; i < polygon_.corners(); ++i) {
     const std::optional<int> sign = t.quick_sign_of(of(i));
     open[i] = !sign;
@@ -224,13 +222,7 @@ void ContactSearch::try_roots(const TimePolynomial& p) {
 }  // namespace
 
 LinearContact first_linear_contact(const Query& query, int level) {
-  if (level <= kShortLevel) {
-    if (const auto answer = short_contact(query)) {
-      if (!answer->touch) return {Kind::kNone, 0, true};
-      return {Kind::kProven, time_below(answer->share, query.t_max), true};
-    }
-  }
-  LongPolygon polygon;
+  MovingPolygon polygon;
   if (!polygon.begin(query)) return {};
   return ContactSearch(polygon, query.t_max, level).run();
 }

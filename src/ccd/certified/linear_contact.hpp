@@ -16,12 +16,10 @@ struct LinearContact {
   };
   Kind kind = Kind::kTooWide;
   double toi = 0;
-  bool is_short = false;  ///< short_contact decided
 };
 
 /// Decides a linear query in integers, without rounding and without allocating (DERIVATION.md, 7).
-/// Up to level kShortLevel short_contact is asked first. What it leaves open is tried at each root
-/// that may be the first contact (Law L2), by the polygon there (Law L1).
+/// Each root that may be the first contact is tried (Law L2), by the polygon there (Law L1).
 /// Law L2: the first contact is at 0 or at a root of the determinant. If that is 0 throughout, the
 /// first contact is at 0 or at a root of a cross. If crosses are 0 throughout, too, it is at 0 or
 /// at a root of a corner's coordinate.

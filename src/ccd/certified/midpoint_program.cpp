@@ -3,8 +3,6 @@
 #include <array>
 #include <map>
 
-#include "base/verify.hpp"
-
 namespace ccdfuzz::certified {
 
 namespace {
@@ -58,22 +56,20 @@ MidpointProgram::MidpointProgram(const Shape& shape) {
       {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}, {5, 4, 3}}};
   for (size_t c = 0; c < children.size(); ++c) {
     const bool high_u = (c & 1) != 0, high_v = (c & 2) != 0;
-    for (int i = 0; i <= shape.n; ++i) {
-      for (int j = 0; j <= shape.last_column(i); ++j) {
-        Arguments a{};
-        if (shape.kind == ShapeKind::kTriangle) {
-          a[corners[c][0]] += shape.n - i - j;
-          a[corners[c][1]] += i;
-          a[corners[c][2]] += j;
-        } else {
-          a[high_u ? 2 : 0] += shape.n - i;
-          a[high_u ? 1 : 2] += i;
-          a[high_v ? 5 : 3] += shape.m - j;
-          a[high_v ? 4 : 5] += j;
-        }
-        children[c].push_back(builder.slot(a));
+    for_each_control(shape, [&](int i, int j) {
+      Arguments a{};
+      if (shape.kind == ShapeKind::kTriangle) {
+        a[corners[c][0]] += shape.n - i - j;
+        a[corners[c][1]] += i;
+        a[corners[c][2]] += j;
+      } else {
+        a[high_u ? 2 : 0] += shape.n - i;
+        a[high_u ? 1 : 2] += i;
+        a[high_v ? 5 : 3] += shape.m - j;
+        a[high_v ? 4 : 5] += j;
       }
-    }
+      children[c].push_back(builder.slot(a));
+    });
   }
 }
 

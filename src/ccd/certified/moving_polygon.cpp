@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "base/double_parts.hpp"
-#include "ccd/certified/short_polynomial.hpp"
-#include "ccd/certified/time_polynomial.hpp"
 
 namespace ccdfuzz::certified {
 
-template <class Integers>
-bool MovingPolygon<Integers>::begin(const Query& query) {
+bool MovingPolygon::begin(const Query& query) {
   const int a = query.patches[0].shape.control_count() - 1;
   const int b = query.patches[1].shape.control_count() - 1;
   if (a == 1 && b == 1) {
@@ -26,8 +23,7 @@ bool MovingPolygon<Integers>::begin(const Query& query) {
 }
 
 /// The numbers of coordinate k as multiples of the largest power of two that divides all of them.
-template <class Integers>
-bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k) {
+bool MovingPolygon::make_coordinate(const Query& query, std::size_t k) {
   const DoubleParts step = parts_of(query.t_max);
   // What moves a control point is `forward`, and of ends its position backward.
   std::array<std::array<DoubleParts, 3>, 2> position, forward{}, backward{};
@@ -51,7 +47,7 @@ bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k)
     }
   }
   // Law L7: numbers of this many binary places fit.
-  if (top >= least && top - least >= Integers::kBits) return false;
+  if (top >= least && top - least >= kMostBits) return false;
   const std::int64_t factor = step.mantissa;
   for (std::size_t c = 0; c < corners_; ++c) {
     Int start(0), way(0);
@@ -67,12 +63,9 @@ bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k)
       start = s == 0 ? at : start - at;
       way = s == 0 ? moves : way - moves;
     }
-    corner_[c][k] = Corner(start, way);
+    corner_[c][k] = TimePolynomial(start, way);
   }
   return true;
 }
-
-template class MovingPolygon<LongIntegers>;
-template class MovingPolygon<ShortIntegers>;
 
 }  // namespace ccdfuzz::certified

@@ -97,7 +97,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   using Kind = certified::LinearContact::Kind;
   const certified::LinearContact contact =
       certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
-  ++(contact.is_short ? tiers.short_integers : tiers.long_integers);
+  ++tiers.integers;
   if (contact.kind == Kind::kNone) return answer;
   if (contact.kind != Kind::kProven) answer.note = kNotProven;
   if (contact.kind != Kind::kTooWide || stopped) return hit(advanced.time, contact.toi);

@@ -13,8 +13,8 @@ namespace ccdfuzz {
 /// Read next: PairSplit (the test of a pair), window_trim.hpp (Laws A and B, how a window shrinks),
 /// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries, in the order in
 /// which they are asked: linear_advance.hpp (Laws A and C), rough_contact.hpp (Law L9),
-/// short_contact.hpp (Law L10), linear_contact.hpp (Laws L1 to L8). Those on doubles need rounding
-/// to nearest, without FTZ and DAZ: answer sees to that (FpGuard).
+/// linear_contact.hpp (Laws L1 to L8). Those on doubles need rounding to nearest, without FTZ and
+/// DAZ: answer sees to that (FpGuard).
 ///
 /// Never misses: the general search drops a pair of cells, or a part of a window, only with
 /// a separating axis, or outside of a patch's loops (below). On the axis the two control nets are
@@ -64,8 +64,8 @@ class TdibmC {
 
   Answer decide(const Query& query, const SearchOptions& options);
   /// What the linear patches of split_ show: by Laws A and C, then, without a separation, by Laws
-  /// L9, L10 and L1 to L8. Returns nullopt where the general search must decide, which may then
-  /// begin at `from`.
+  /// L9 and L1 to L8. Returns nullopt where the general search must decide, which may then begin at
+  /// `from`.
   std::optional<Answer> decide_linear(const Query& query, const SearchOptions& options, int target,
                                       double& from);
   void push(const certified::CellPair& pair);

@@ -7,11 +7,10 @@ namespace ccdfuzz::certified {
 /// What decided, how often, over the life of a solver: so that a test can show that each tier does.
 struct Tiers {
   // Linear queries, by the tier that answered.
-  std::uint64_t advancement = 0;     ///< clear by following axes (Laws A and C)
-  std::uint64_t doubles = 0;         ///< rough_contact (Law L9)
-  std::uint64_t short_integers = 0;  ///< short_contact (Law L10)
+  std::uint64_t advancement = 0;  ///< clear by following axes (Laws A and C)
+  std::uint64_t doubles = 0;      ///< rough_contact (Law L9)
   /// first_linear_contact (Laws L1 to L8), also where it left the query open
-  std::uint64_t long_integers = 0;
+  std::uint64_t integers = 0;
 
   // Splits of which a pair of children was dropped by a shared axis that separates it throughout.
   std::uint64_t coordinate = 0;  ///< a coordinate axis (Laws A and C)

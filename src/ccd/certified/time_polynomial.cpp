@@ -2,12 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "ccd/certified/guess_root.hpp"
 
 namespace ccdfuzz::certified {
+
+namespace {
+
+/// c: the coefficients in x, which is 0 at the begin of the part and 1 at its end, by powers.
+/// Becomes those in Bernstein's basis, times binomials, which have the changes of sign; for power
+/// x^j is x^j·(x + (1 − x))^(degree − j).
+SignsOnPart signs_of(std::span<Int> c) {
+  for (std::size_t last = c.size() - 1; last > 0; --last) {
+    for (std::size_t j = 0; j < last; ++j) c[j + 1] += c[j];
+  }
+  SignsOnPart out;
+  out.zero_at_lo = c.front().sign() == 0;
+  out.zero_at_hi = c.back().sign() == 0;
+  for (const Int& coefficient : c) {
+    const int sign = coefficient.sign();
+    if (sign == 0) continue;
+    if (out.at_lo == 0) out.at_lo = sign;
+    out.changes += out.at_hi == -sign;
+    out.at_hi = sign;
+  }
+  return out;
+}
+
+}  // namespace
 
 void TimePolynomial::trim(int degree) {
   degree_ = degree;

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "ccd/certified/signs_on_part.hpp"
 #include "numeric/bounded_int.hpp"
 
 namespace ccdfuzz::certified {
@@ -22,6 +21,18 @@ struct TimePart {
 /// num/den, den > 0.
 struct TimeRatio {
   Int num, den;
+};
+
+/// What the coefficients of a polynomial tell of a part of the time step.
+struct SignsOnPart {
+  bool zero_at_lo = true, zero_at_hi = true;
+  int at_lo = 0, at_hi = 0;  ///< the sign just inside each end; 0 for the zero polynomial alone
+  /// Descartes' bound (Law L3): the number of roots inside, with their multiplicities, is this or
+  /// less by an even number. So 0 and 1 are what they say.
+  int changes = 0;
+
+  /// The number of roots inside is odd. Law L5 asks this of a divisor with one root at most.
+  bool odd_roots() const { return at_lo != at_hi; }
 };
 
 /// A polynomial of time with integer coefficients, of degree 3 at most.
@@ -59,15 +70,6 @@ class TimePolynomial {
 
   Coefficients c_;
   int degree_ = -1;  ///< all coefficients above are 0
-};
-
-/// What MovingPolygon is made of, for numbers of up to kMostBits bits.
-struct LongIntegers {
-  static constexpr int kBits = kMostBits;
-  using Int = certified::Int;
-  using Corner = TimePolynomial;
-  using Cross = TimePolynomial;
-  using Determinant = TimePolynomial;
 };
 
 /// The greatest common divisor of two polynomials, not both 0, up to a constant factor. With the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ccd/projection.hpp"
 
@@ -50,8 +51,8 @@ using FourHeights = Eigen::Array4d;
 void Gap::begin(const Query& query) {
   query_ = &query;
   units_ = Units::of(query);
-  exact_work_ = 0;
-  std::apply([](auto&... tier) { ((tier.loaded = false), ...); }, tiers_);
+  is_loaded_ = false;
+  work_before_ = scene_.work();
 
   length_shift_ = -units_.top;
   const auto& [a, b] = query.patches;
@@ -83,8 +84,7 @@ void Gap::begin(const Query& query) {
   separation_ = std::ldexp(query.separation, length_shift_);
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   constexpr double eta = std::numeric_limits<double>::denorm_min();
-  is_rational_ = is_rational(query);
-  const double absolute = is_rational_ ? std::ldexp(256 * eta, kWeightBits) : 256 * eta;
+  const double absolute = is_rational(query) ? std::ldexp(256 * eta, kWeightBits) : 256 * eta;
   error_per_norm_ = 2 * (roundings + 8) * u * (m_position + m_velocity) + absolute;
 }
 
@@ -99,9 +99,8 @@ void Gap::select(int part_a, int part_b) {
   selected_ = {points(0, part_a), points(1, part_b)};
 }
 
-void Gap::project(const IntegerAxis& axis, int bits) {
+void Gap::project(const IntegerAxis& axis) {
   axis_ = axis;
-  axis_bits_ = bits;
   error_ = error_per_norm_ * static_cast<double>(axis.norm1());
   on_axis_ = 0;
   if (separation_ > 0) {
@@ -170,20 +169,8 @@ int Gap::exact_sign(int below, double t, const Extremes& at) {
   const std::array<std::span<const std::uint8_t>, 2> candidates = {
       std::span(marks[0]).first(static_cast<size_t>(selected_[0].count)),
       std::span(marks[1]).first(static_cast<size_t>(selected_[1].count))};
-  const auto ask = [&]<class Int>(std::uint64_t& count) {
-    ++count;
-    ExactScene<Int>& scene = std::get<Tier<Int>>(tiers_).of(*query_, units_);
-    const std::uint64_t before = scene.work();
-    const int sign = scene.gap_sign(below, cells_, axis_, unscaled(t), candidates);
-    exact_work_ += scene.work() - before;
-    return sign;
-  };
-  if (is_rational_) return ask.operator()<Integer>(counts_.gmp);
-  const int bits = units_.bits_needed(axis_bits_, cells_[0].depth);
-  if (bits <= 128) return ask.operator()<WideInt<128>>(counts_.int128);
-  if (bits <= 256) return ask.operator()<WideInt<256>>(counts_.int256);
-  if (bits <= 512) return ask.operator()<WideInt<512>>(counts_.int512);
-  return ask.operator()<Integer>(counts_.gmp);
+  if (!std::exchange(is_loaded_, true)) scene_.load(*query_, units_);
+  return scene_.gap_sign(below, cells_, axis_, unscaled(t), candidates);
 }
 
 }  // namespace ccdfuzz::exact_ccd

@@ -2,7 +2,6 @@
 
 #include "bezier/shape.hpp"
 #include "ccd/certified/pair_axes.hpp"
-#include "ccd/rational/axis.hpp"
 #include "ccd/rational/cell_points.hpp"
 
 namespace ccdfuzz::exact_ccd {

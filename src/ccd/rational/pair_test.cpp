@@ -71,7 +71,7 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
                   : pair_axis(frame(0, part_a, w.lo), frame(1, part_b, w.lo), r);
     const std::optional<IntegerAxis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
-    gap_.project(*axis, axis_bits_);
+    gap_.project(*axis);
     const Window before = w;
     const bool is_left = cut_window(gap_, w);
     if (observer != nullptr) tell(*observer, r, *axis, before, is_left, w);

@@ -21,8 +21,6 @@ class PairTest {
   std::optional<Window> test(int part_a, int part_b, const Window& window,
                              ExclusionObserver* observer = nullptr);
 
-  /// How often each arithmetic tier decided, over the life of the object.
-  const TierCounts& tiers() const { return gap_.counts(); }
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:

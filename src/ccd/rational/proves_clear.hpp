@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/query.hpp"
-#include "ccd/search_options.hpp"
+#include "case/search_options.hpp"
 #include "numeric/rational.hpp"
 
 namespace ccdfuzz {

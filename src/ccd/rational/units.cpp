@@ -34,7 +34,6 @@ Units Units::of(const Query& query) {
   constexpr int kLowest = -1074;  // exponent of the least positive double
   Units u;
   BitRange time, position, velocity;
-  int of_a_difference = 0;  ///< bits that e − p may have more than e and p
   time.include(query.t_max);
   position.include(query.separation);
   u.horizon = time.empty() ? 0 : time.top;
@@ -43,27 +42,17 @@ Units Units::of(const Query& query) {
 
   for (const MovingPatch<double>& patch : query.patches) {
     position.include(patch.positions);
-    u.degree_sum = std::max(u.degree_sum, blossom_steps(patch.shape));
-    if (!patch.has_ends()) {
-      velocity.include(patch.velocities);
-      continue;
-    }
-    velocity.include(patch.ends);
-    velocity.include(patch.positions);
-    of_a_difference = 1;
+    velocity.include(patch.moves());
+    if (patch.has_ends()) velocity.include(patch.positions);
   }
   BitRange all = position;  // and of the ways
-  int top_of_differences = position.top;
   if (!velocity.empty()) {
     all.low = std::min(all.low, velocity.low + u.time);
     all.top = std::max(all.top, velocity.top + u.horizon);
-    top_of_differences = std::max(position.top, velocity.top + of_a_difference + u.horizon);
   }
   if (all.empty()) return u;
   u.length = all.low;
   u.top = all.top;
-  const bool is_a_sum = !position.empty() && !velocity.empty();
-  u.magnitude_bits = top_of_differences - all.low + (is_a_sum ? 1 : 0);
   return u;
 }
 

@@ -9,7 +9,7 @@ namespace ccdfuzz {
 
 /// Follows a witness through the inclusion test that a Search would run: the same splits, windows
 /// and tests, of those pairs alone that contain the witness. One object serves one thread; it keeps
-/// its buffers, so that tracing allocates nothing once it is warm.
+/// its buffers, so that tracing allocates nothing once it is warm, but for the witness's numbers.
 template <class Inclusion>
 class InclusionTracer {
  public:

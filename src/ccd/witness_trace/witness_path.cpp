@@ -1,46 +1,11 @@
 #include "ccd/witness_trace/witness_path.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace ccdfuzz {
 
-// GMP's own functions on members: expressions would allocate for every trace.
-
-WitnessPath::FixedPoint WitnessPath::fixed_point(const Integer& numerator,
-                                                 const Integer& denominator) {
-  mpz_mul_2exp(product_.get_mpz_t(), numerator.get_mpz_t(), Cell::kMaxDepth);
-  mpz_fdiv_qr(quotient_.get_mpz_t(), rest_.get_mpz_t(), product_.get_mpz_t(),
-              denominator.get_mpz_t());
-  return {quotient_.get_ui(), sgn(rest_) != 0};
-}
-
-TimeBounds WitnessPath::bounds_of(const Rational& t, int exponent) {
-  if (sgn(t) == 0) return {0, 0};
-  const auto bits = [](const Integer& x) {
-    return static_cast<int>(mpz_sizeinbase(x.get_mpz_t(), 2));
-  };
-  // 2^(e-1) < t·2^-exponent < 2^(e+1): 53 or 54 bits before the point in these units, or fewer for
-  // a subnormal.
-  const int e = bits(t.get_num()) - bits(t.get_den()) - exponent;
-  int unit = std::max(e - 53, -1074);
-  product_ = t.get_num();
-  denominator_ = t.get_den();
-  const int down = unit + exponent;
-  Integer& shifted = down < 0 ? product_ : denominator_;
-  mpz_mul_2exp(shifted.get_mpz_t(), shifted.get_mpz_t(), static_cast<mp_bitcnt_t>(std::abs(down)));
-  mpz_fdiv_qr(quotient_.get_mpz_t(), rest_.get_mpz_t(), product_.get_mpz_t(),
-              denominator_.get_mpz_t());
-  std::uint64_t units = quotient_.get_ui();
-  bool more = sgn(rest_) != 0;
-  if (units >> 53 != 0) {
-    more |= (units & 1) != 0;
-    units >>= 1;
-    ++unit;
-  }
-  const double lo = std::ldexp(static_cast<double>(units), unit);
-  return {lo, more ? std::nextafter(lo, std::numeric_limits<double>::infinity()) : lo};
+WitnessPath::FixedPoint WitnessPath::fixed_point(const Rational& x) {
+  const Rational scaled = x * power_of_two(Cell::kMaxDepth);
+  const Integer units = scaled.get_num() / scaled.get_den();
+  return {units.get_ui(), units != scaled};
 }
 
 void WitnessPath::assign(const std::array<Shape, 2>& shapes, const Witness& witness,
@@ -48,15 +13,10 @@ void WitnessPath::assign(const std::array<Shape, 2>& shapes, const Witness& witn
   shapes_ = shapes;
   for (size_t side = 0; side < 2; ++side) {
     const Rational &u = witness.uv[side][0], &v = witness.uv[side][1];
-    at_[side][0] = fixed_point(u.get_num(), u.get_den());
-    at_[side][1] = fixed_point(v.get_num(), v.get_den());
-    if (shapes[side].kind != ShapeKind::kTriangle) continue;
-    mpz_mul(numerator_.get_mpz_t(), u.get_num_mpz_t(), v.get_den_mpz_t());
-    mpz_addmul(numerator_.get_mpz_t(), v.get_num_mpz_t(), u.get_den_mpz_t());
-    mpz_mul(denominator_.get_mpz_t(), u.get_den_mpz_t(), v.get_den_mpz_t());
-    at_[side][2] = fixed_point(numerator_, denominator_);
+    at_[side] = {fixed_point(u), fixed_point(v), fixed_point(u + v)};
   }
-  time_ = bounds_of(witness.t, time_exponent);
+  const Rational t = witness.t * power_of_two(-time_exponent);
+  time_ = {round_down(t), round_up(t)};
 }
 
 bool WitnessPath::in(int side, const Cell& cell) const {

@@ -24,7 +24,7 @@ struct TimeBounds {
 };
 
 /// A witness in the numbers that tracing compares with, all exact: which cells of the subdivision
-/// contain it, and which times are before and after it. Keeps its memory.
+/// contain it, and which times are before and after it.
 class WitnessPath {
  public:
   /// Requires a witness that lies in the domains of the shapes (check_contact), t ≥ 0.
@@ -38,7 +38,7 @@ class WitnessPath {
   const TimeBounds& time() const { return time_; }
 
  private:
-  /// A number in [0, 1]: units·2^-kMaxDepth, and less than one unit more.
+  /// A number x ≥ 0: units·2^-kMaxDepth, and less than one unit more.
   struct FixedPoint {
     std::uint64_t units = 0;
     bool more = false;
@@ -52,14 +52,13 @@ class WitnessPath {
     }
   };
 
-  FixedPoint fixed_point(const Integer& numerator, const Integer& denominator);
-  TimeBounds bounds_of(const Rational& t, int exponent);
+  /// Requires 0 ≤ x ≤ 2.
+  static FixedPoint fixed_point(const Rational& x);
 
   std::array<Shape, 2> shapes_;
   /// u, v and u + v of each side.
   std::array<std::array<FixedPoint, 3>, 2> at_;
   TimeBounds time_;
-  Integer numerator_, denominator_, product_, quotient_, rest_;
 };
 
 }  // namespace ccdfuzz

@@ -7,7 +7,7 @@
 
 namespace ccdfuzz {
 
-Result<void> check_absence(const Case& value, std::string_view tree) {
+Result<void> check_absence(const Case& value) {
   const Truth& truth = value.truth;
   if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
   const std::string until = abbreviated(until_of(*truth.clearance));
@@ -20,20 +20,20 @@ Result<void> check_absence(const Case& value, std::string_view tree) {
         "truth.certificate.clear.until",
         fmt::format("{} is before clear_until = {}", until, abbreviated(*truth.clear_until)));
   }
-  return check_clearance(value.query, *truth.clearance, tree);
+  return check_clearance(value.query, *truth.clearance);
 }
 
-Result<CheckedCase> check_case(Case value, std::string_view tree) {
+Result<CheckedCase> check_case(Case value) {
   CCDFUZZ_TRY_VOID(check_truth(value));
   const bool has_clearance = value.truth.clearance.has_value();
   if (has_clearance) {
-    CCDFUZZ_TRY_VOID(check_absence(value, tree));
+    CCDFUZZ_TRY_VOID(check_absence(value));
   }
   return CheckedCase(std::move(value), has_clearance);
 }
 
-CheckedCase checked_or_unknown(const Case& value, std::string_view tree) {
-  if (auto checked = check_case(value, tree)) return *std::move(checked);
+CheckedCase checked_or_unknown(const Case& value) {
+  if (auto checked = check_case(value)) return *std::move(checked);
   Case bare = value;
   bare.truth = {};
   return {std::move(bare), false};

@@ -117,20 +117,18 @@ class Parts {
     for (int c = 0; c < count(); ++c) {
       MovingNet<Integer>& child = family.nets[static_cast<size_t>(c)];
       child.resize(net.size());
-      for (int i = 0; i <= shape_.n; ++i) {
-        for (int j = 0; j <= shape_.last_column(i); ++j) {
-          for (int k = 0; k < shape_.n; ++k) {
-            first[static_cast<size_t>(k)] = triangle ? corner(c, k < i       ? 1
-                                                                 : k < i + j ? 2
-                                                                             : 0)
-                                                     : end((c & 1) != 0, k < i);
-          }
-          for (int k = 0; k < shape_.m; ++k) {
-            second[static_cast<size_t>(k)] = end((c & 2) != 0, k < j);
-          }
-          child[static_cast<size_t>(shape_.index(i, j))] = polar_(shape_, net, first, second);
+      for_each_control(shape_, [&](int i, int j) {
+        for (int k = 0; k < shape_.n; ++k) {
+          first[static_cast<size_t>(k)] = triangle ? corner(c, k < i       ? 1
+                                                               : k < i + j ? 2
+                                                                           : 0)
+                                                   : end((c & 1) != 0, k < i);
         }
-      }
+        for (int k = 0; k < shape_.m; ++k) {
+          second[static_cast<size_t>(k)] = end((c & 2) != 0, k < j);
+        }
+        child[static_cast<size_t>(shape_.index(i, j))] = polar_(shape_, net, first, second);
+      });
     }
   }
 

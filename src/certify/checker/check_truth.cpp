@@ -61,8 +61,7 @@ Result<void> check_truth(const Case& value) {
   return {};
 }
 
-Result<void> check_clearance(const Query& query, const Clearance& clearance,
-                             std::string_view tree) {
+Result<void> check_clearance(const Query& query, const Clearance& clearance) {
   const auto* bodies = std::get_if<BodyClearance>(&clearance);
   const auto* planes = std::get_if<BodyPlanes>(&clearance);
   const auto* faces = std::get_if<MeshClearance>(&clearance);
@@ -78,7 +77,14 @@ Result<void> check_clearance(const Query& query, const Clearance& clearance,
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {
     return check_linear_clearance(query, *linear);
   }
-  return check_tree(query, until_of(clearance), tree).map([](std::uint64_t) {});
+  const auto& [until, tree] = std::get<MissTree>(clearance);
+  if (tree.bytes.empty()) {
+    return tl::unexpected(InputError{
+        "truth.certificate.clear.tree",
+        "stood in a file beside the case, which is read no more; `ccdfuzz prove` makes another",
+        true});
+  }
+  return check_tree(query, until, tree.bytes).map([](std::uint64_t) {});
 }
 
 }  // namespace ccdfuzz

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "base/result.hpp"
 #include "case/case.hpp"
 
 namespace ccdfuzz {
 
-// No file of cases or trees is read here, nor in what this includes.
+// No file of cases is read here, nor in what this includes.
 
 /// Checks in exact arithmetic all of a case's truth except absence of contact, which check_absence
 /// does:
@@ -21,8 +18,8 @@ namespace ccdfuzz {
 Result<void> check_truth(const Case& value);
 
 /// Checks a certificate of absence of contact: check_plane, check_linear_clearance,
-/// check_body_clearance, or check_tree of these bytes. Errors also: it is about bodies and the
-/// query is not, or the other way round.
-Result<void> check_clearance(const Query& query, const Clearance& clearance, std::string_view tree);
+/// check_body_clearance, or check_tree, where a tree that is not known is a limit. Errors also: it
+/// is about bodies and the query is not, or the other way round.
+Result<void> check_clearance(const Query& query, const Clearance& clearance);
 
 }  // namespace ccdfuzz

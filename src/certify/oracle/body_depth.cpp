@@ -94,7 +94,7 @@ std::optional<double> depth_and(double more, const Hull& swept, const Hull& firs
   NearestPoints nearest;
   const Rational squared = nearest(rational(swept), rational(rest)).squared;
   if (squared > 0) return more - round_up(root_above(squared));
-  if (first.size() * rest.size() > kMostPairs) return std::nullopt;
+  if (!is_measured(first.size(), rest.size())) return std::nullopt;
   add_directions(first, directions);
   add_directions(rest, directions);
   // In a plane, an edge and what is at right angles to the plane make a facet.
@@ -102,8 +102,13 @@ std::optional<double> depth_and(double more, const Hull& swept, const Hull& firs
   return more + overlap_of(swept, rest, directions, in_plane ? upwards : directions);
 }
 
-/// The depth of overlap at one time, less what rounding their points could add.
-std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
+/// A depth of overlap from below and from above. A distance is a depth below 0.
+struct DepthBounds {
+  double least, most;
+};
+
+/// The depth of overlap at one time.
+std::optional<DepthBounds> depth_at(const Query& query, const Rational& t, bool in_plane) {
   std::array<PointsAt, 2> points;
   Rational largest = power_of_two(-1000);
   Rational reach = exact(query.separation), far = 0;
@@ -131,29 +136,25 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
       hulls[s].push_back({Dyadic(p[0], step), Dyadic(p[1], step), Dyadic(p[2], step)});
     }
   }
-  return depth_and(round_down(reach) - rounding, hulls[0], hulls[0], hulls[1], {}, in_plane);
+  const double more = round_down(reach) - rounding;
+  const auto measured = depth_and(more, hulls[0], hulls[0], hulls[1], {}, in_plane);
+  if (!measured) return std::nullopt;
+  const double depth = std::max(*measured, -std::numeric_limits<double>::max());
+  // Points are off by `rounding` to either side. What the arithmetic of doubles adds is far less
+  // than this share of its operands.
+  constexpr double kOff = 0x1p-40;
+  const double off = kOff * std::abs(depth) + kOff * std::abs(more);
+  return DepthBounds{depth - off,
+                     std::min(depth + off + 2 * rounding, std::numeric_limits<double>::max())};
 }
 
-/// The deepest of some times.
-std::optional<double> depth_of_turning(const Query& query, double until, bool in_plane) {
-  constexpr int kTimes = 8;  // after the first
-  double deepest = 0;
-  for (int i = 0; i <= kTimes; ++i) {
-    const auto depth = depth_at(query, exact(until) * i / kTimes, in_plane);
-    if (!depth) return std::nullopt;
-    deepest = std::max(deepest, kRoundings * *depth);
-  }
-  return deepest;
-}
-
-/// At most so many radians a body turns in a unit of time.
+/// At most so many radians a body turns in a unit of time by a `turn`.
 Rational greatest_turn(const BodyTurn& turn) {
   const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
     Rational sum = 0;
     for (size_t i = 0; i < a.size(); ++i) sum += exact(a[i]) * exact(b[i]);
     return sum;
   };
-  if (turn.is_spin()) return root_above(product(turn.spin, turn.spin));
   // In its plane q turns by |from × to| / |q|² in a unit of time, half as much as the body if it is
   // a quaternion. |q|² is a mean of the three products (Bernstein).
   const Rational first = product(turn.from, turn.from), mixed = product(turn.from, turn.to),
@@ -161,6 +162,71 @@ Rational greatest_turn(const BodyTurn& turn) {
   return (turn.is_quaternion() ? 2 : 1) * root_above(first * last - mixed * mixed) /
          std::min({first, mixed, last});
 }
+
+/// The deepest overlap at any time of [0, until], where a body turns. No point of one moves faster
+/// against the other than greatest_speed, and the depth does not change faster.
+class DeepestOverlap {
+ public:
+  DeepestOverlap(const Query& query, double until, bool in_plane)
+      : query_(query), in_plane_(in_plane), speed_(greatest_speed(query)) {
+    pieces_.push_back({std::numeric_limits<double>::infinity(), 0, exact(until)});
+  }
+
+  /// It is this deep, and no deeper; 0 where they do not overlap.
+  double least() const { return least_; }
+  double most() const { return std::max(0.0, pieces_.front().most); }
+
+  /// Looks at the end, and refines until that is done, or for some seconds. False: the depth is not
+  /// measured.
+  template <class Done>
+  bool refine_until(const Done& is_done) {
+    // To measure an overlap takes time as the square of the directions between points of a hull.
+    constexpr size_t kMostRefined = 128, kMostSquares = 1 << 18;
+    size_t directions = 1;
+    for (const MovingPatch<double>& body : query_.patches) {
+      directions += body.positions.size() * (body.positions.size() - 1) / 2;
+    }
+    size_t left = std::clamp<size_t>(kMostSquares / (directions * directions), 1, kMostRefined);
+    const auto last = depth_at(query_, pieces_.front().until, in_plane_);  // where hits are late
+    if (!last) return false;
+    least_ = std::max(least_, last->least);
+    for (; left > 0 && !is_done(); --left) {
+      if (!refine()) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Piece {
+    double most;  ///< no deeper than this in it
+    Rational from, until;
+  };
+
+  /// Halves the piece of time in which it may be deepest, and looks at the middle of each half.
+  /// False: the depth is not measured there.
+  bool refine() {
+    std::ranges::pop_heap(pieces_, {}, &Piece::most);
+    const auto [most, from, until] = pieces_.back();
+    pieces_.pop_back();
+    const Rational half = (until - from) / 2;
+    for (const Rational& begin : {from, Rational(from + half)}) {
+      const Rational end = begin + half;
+      const auto depth = depth_at(query_, (begin + end) / 2, in_plane_);
+      if (!depth) return false;
+      least_ = std::max(least_, depth->least);
+      const Rational bound = exact(depth->most) + speed_ * half / 2;
+      pieces_.push_back({std::min(most, round_up(bound)), begin, end});
+      std::ranges::push_heap(pieces_, {}, &Piece::most);
+    }
+    return true;
+  }
+
+  const Query& query_;
+  bool in_plane_;
+  Rational speed_;
+  double least_ = 0;
+  std::vector<Piece> pieces_;  ///< a heap
+};
 
 }  // namespace
 
@@ -170,17 +236,28 @@ Rational greatest_speed(const Query& query) {
   Rational speed = length(exact(a.velocities[0]) - exact(b.velocities[0]));
   for (const MovingPatch<double>& body : query.patches) {
     if (!body.turn) continue;
+    const BodyTurn& turn = *body.turn;
+    const bool spins = turn.is_spin();
     Rational reach = 0;
     for (const Vec3<double>& p : body.positions) {
-      reach = std::max(reach, length(exact(p) - exact(body.turn->centre)));
+      const Vec3<Rational> arm = exact(p) - exact(turn.centre);
+      // A point that spins keeps its distance from the axis, and so its speed.
+      const Vec3<Rational> moves =
+          spins ? cross(exact(Vec3<double>(turn.spin[0], turn.spin[1], turn.spin[2])), arm) : arm;
+      reach = std::max(reach, length(moves));
     }
-    speed += reach * greatest_turn(*body.turn);
+    speed += spins ? reach : reach * greatest_turn(turn);
   }
   return speed;
 }
 
 std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
-  if (has_turns(query)) return depth_of_turning(query, until, in_plane);
+  if (has_turns(query)) {
+    constexpr double kNear = 1.25;  // right to a quarter
+    DeepestOverlap overlap(query, until, in_plane);
+    const auto is_near = [&] { return overlap.most() <= kNear * overlap.least(); };
+    return overlap.refine_until(is_near) ? std::optional(overlap.least()) : std::nullopt;
+  }
   if (has_mesh(query)) {
     double deepest = 0;
     for (const size_t face : faces_there(query)) {
@@ -198,6 +275,19 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
   const auto depth =
       depth_and(round_down(reach.rational()), swept, a.positions, b.positions, {way}, in_plane);
   return depth ? std::optional(std::max(0.0, kRoundings * *depth)) : depth;
+}
+
+std::optional<bool> is_deeper_until(const Query& query, double until, const Rational& most,
+                                    bool in_plane) {
+  const double limit = round_down(most);
+  if (!has_turns(query)) {
+    const std::optional<double> depth = depth_until(query, until, in_plane);
+    return depth ? std::optional(*depth > limit) : std::nullopt;
+  }
+  DeepestOverlap overlap(query, until, in_plane);
+  overlap.refine_until([&] { return overlap.least() > limit || overlap.most() <= limit; });
+  // What passes through thin bodies overlaps less at any time than it would have to be moved.
+  return overlap.least() > limit ? std::optional(true) : std::nullopt;
 }
 
 }  // namespace ccdfuzz

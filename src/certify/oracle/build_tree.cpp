@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "base/fp_guard.hpp"
 #include "ccd/certified/normalise.hpp"
@@ -46,9 +45,11 @@ class Builder {
     }
   }
 
-  std::optional<std::string> run() {
+  std::optional<MissTree> run(const Rational& until) {
     if (!node({{0, 0}, 0, kTimeSteps, {}, 0})) return std::nullopt;
-    return bits_.bytes();
+    std::string bytes = bits_.bytes();
+    if (bytes.size() > MissTree::kMaxBytes) return std::nullopt;
+    return MissTree{until, {std::move(bytes)}};
   }
 
  private:
@@ -242,10 +243,10 @@ class Builder {
 
 namespace ccdfuzz {
 
-std::optional<std::string> build_miss_tree(const Query& query, const Rational& until,
-                                           std::uint64_t max_nodes, Deadline* deadline) {
+std::optional<MissTree> build_miss_tree(const Query& query, const Rational& until,
+                                        std::uint64_t max_nodes, Deadline* deadline) {
   const FpGuard guard;
-  return certified::Builder(query, until, max_nodes, deadline).run();
+  return certified::Builder(query, until, max_nodes, deadline).run(until);
 }
 
 }  // namespace ccdfuzz

@@ -24,13 +24,11 @@ bool reaches_further(const Clearance& x, const Clearance& y) {
 }
 
 /// Takes over the case's own clearance, which holds, if it reaches further than the one found.
-void keep_better_clearance(const Case& value, const Result<std::string>& tree, Decision& found) {
+void keep_better_clearance(const Case& value, Decision& found) {
   const auto& own = value.truth.clearance;
   if (!own) return;
   if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
   found.truth.clearance = own;
-  found.tree.clear();
-  if (std::holds_alternative<MissTree>(*own)) found.tree = *tree;
   conclude(value.query, found.truth);
 }
 
@@ -46,18 +44,16 @@ void keep_contact(const Truth& own, Truth& found) {
 
 }  // namespace
 
-Completed complete_truth(const Case& value, const Result<std::string>& tree,
-                         OracleOptions options) {
+Completed complete_truth(const Case& value, OracleOptions options) {
   const std::optional<Rational> claimed = claimed_clear(value);
   options.known = value.truth.witness;
   options.wanted_clear = claimed;
   Decision found = decide(value.query, options);
-  Completed out{value, {}, false, found.note};
+  Completed out{value, false, found.note};
   Truth& truth = out.value.truth;
 
   const std::optional<Rational> contact = found.truth.contact_by();
-  const auto check = [&value](const std::string& bytes) { return check_absence(value, bytes); };
-  const auto holds = truth.clearance ? tree.and_then(check) : Result<void>();
+  const auto holds = truth.clearance ? check_absence(value) : Result<void>();
   // Neither proven nor refuted: then the case's own word of absence counts for nothing.
   const bool is_unknown = !holds && holds.error().is_limit;
   const bool touches_by_end =
@@ -73,12 +69,11 @@ Completed complete_truth(const Case& value, const Result<std::string>& tree,
     out.note = holds.error().message();
     keep_contact(truth, found.truth);
   } else {
-    keep_better_clearance(value, tree, found);
+    keep_better_clearance(value, found);
     const auto& until = found.truth.clear_until;
     if (claimed && found.truth.collides != false && (!until || *until < *claimed)) {
       // The claim stands as it is, and is still to be proven by other means.
       found.truth.clearance.reset();
-      found.tree.clear();
       found.truth.clear_until = truth.clear_until;
       found.truth.proof = truth.proof;
       if (!found.truth.collides) found.truth.collides = truth.collides;
@@ -86,7 +81,6 @@ Completed complete_truth(const Case& value, const Result<std::string>& tree,
     keep_contact(truth, found.truth);
   }
   truth = found.truth;
-  out.tree = std::move(found.tree);
   CCDFUZZ_VERIFY(check_truth(out.value));
   return out;
 }

@@ -26,6 +26,26 @@ constexpr int kPointBits = 80;
 /// this part of itself.
 constexpr int kInsideBits = 80;
 
+/// Whether not all points of a hull are in one plane.
+bool has_volume(const MovingPatch<double>& hull) {
+  const Vec3<Rational> zero(0, 0, 0);
+  Vec3<Rational> side = zero, normal = zero;  // both of the first points that span so much
+  for (const Vec3<double>& p : hull.positions) {
+    const Vec3<Rational> way = exact(p) - exact(hull.positions[0]);
+    if (normal.dot(way) != 0) return true;
+    if (side == zero) {
+      side = way;
+    } else if (normal == zero) {
+      normal = cross(side, way);
+    }
+  }
+  return false;
+}
+
+bool turns_by_angle(const MovingPatch<double>& body) {
+  return body.turn && !body.turn->is_quaternion();
+}
+
 class DecidingTurning {
  public:
   DecidingTurning(const Query& query, const OracleOptions& options)
@@ -178,7 +198,7 @@ class DecidingTurning {
       }
     }
     if (witness_) return say_contact(*late_);
-    out_.note = "no plane between the bodies was found for some of the time";
+    out_.note = "no plane between the bodies was found for some of the time; they may just touch";
   }
 
   /// A time near to t at which the points of a body that turns by cosine and sine are rational.
@@ -235,13 +255,19 @@ class DecidingTurning {
     const Rational later = std::min(t_max_, Rational(t + t * power_of_two(-kBracketBits)));
     if (!witness_) witness_ = witness_of_spin(later);
     out_.truth.witness = witness_;
-    if (!witness_) out_.note = "the bodies are not seen to overlap by more than rounding";
+    const bool is_provable = reach_ > 0 || std::ranges::any_of(query_.patches, has_volume);
+    if (!witness_) {
+      out_.note =
+          is_provable
+              ? "the bodies are not seen to overlap by more than rounding"
+              : "an overlap where one spins is proven only of bodies with a volume or a radius";
+    }
   }
 
   void say_contact(Rational t) {
     if (has_spins(query_)) return say_contact_of_spin(t);
     for (const MovingPatch<double>& body : query_.patches) {
-      if (!witness_ && body.turn && !body.turn->is_quaternion()) t = rational_time(*body.turn, t);
+      if (!witness_ && turns_by_angle(body)) t = rational_time(*body.turn, t);
     }
     if (!witness_) {
       const PointsAt first = points_at(query_.patches[0], t),
@@ -253,7 +279,12 @@ class DecidingTurning {
       if (is_proven) witness_ = Witness{t, {}, found.weights};
     }
     out_.truth.witness = witness_;
-    if (!witness_) out_.note = "the bodies touch by a time at which their points are not rational";
+    if (!witness_) {
+      const bool are_both = std::ranges::all_of(query_.patches, turns_by_angle);
+      out_.note = are_both ? "both turn by cosine and sine, and the points of both are rational at "
+                             "no time of contact that is known"
+                           : "the bodies touch by a time at which their points are not rational";
+    }
   }
 
   const Query& query_;

@@ -6,7 +6,7 @@
 
 #include "case/answer.hpp"
 #include "case/case.hpp"
-#include "ccd/search_options.hpp"
+#include "case/search_options.hpp"
 
 namespace ccdfuzz {
 
@@ -34,9 +34,6 @@ struct OracleOptions {
 /// this resolution.
 struct Decision {
   Truth truth;
-  /// The tree of truth.clearance, if that is a tree; its place in a file is for the writer to fill
-  /// in.
-  std::string tree;
   std::array<Uv<double>, 2> uv{};  ///< collides: of the contact
   std::uint64_t pops = 0;
   std::string note;  ///< why it is undecided
@@ -57,6 +54,10 @@ void conclude(const Query& query, Truth& truth);
 /// that is clear. A query that is not valid stays undecided, with what is wrong with it as the
 /// note. Keeps two solvers for each thread that asked, each at most kKeptBytes.
 Decision decide(const Query& query, const OracleOptions& options = {});
+
+/// What a tree proves of a valid query of patches: that nothing touches in [0, t_max]. Nothing
+/// where building and checking it takes more than some 10 ms.
+Truth absence_by_tree(const Query& query);
 
 /// Whether linear arithmetic decides a query of patches, which is about whole ones.
 bool is_decided_linearly(const Query& query);

@@ -139,12 +139,12 @@ class PluginMethod : public Method {
     // What it refuses it is not held to.
     if (given.answer.verdict == Verdict::kRefused) return given;
     if (!plugin_->spec.repeats || is_over()) return given;
-    ask_once(decoy_query(query), options);
+    ask_decoy(query, options);
     if (is_over()) return given;
     // Who says one thing and another by turns says the same every other time. Asking about NaN is
     // another time, too.
     const bool asks_nan = plugin_->description.nan_policy != NanPolicy::kUndefined;
-    if (!has_repeated_ && !asks_nan) ask_once(decoy_query(query), options);
+    if (!has_repeated_ && !asks_nan) ask_decoy(query, options);
     if (is_over()) return given;
     check_nan_policy(query, options);
     if (is_over()) return given;
@@ -159,12 +159,24 @@ class PluginMethod : public Method {
     return given;
   }
 
+  /// The result of work(). What its process does in place of answering is a fault like any, and
+  /// says what was asked.
+  static auto asking(const std::string& what, const auto& work) {
+    try {
+      return work();
+    } catch (const MethodFault& fault) {
+      throw MethodFault(fault.name(), fmt::format("asked {}: {}", what, fault.what()));
+    }
+  }
+
+  void ask_decoy(const Query& query, const SearchOptions& options) {
+    asking("the query turned by 180° about the z axis",
+           [&] { return ask_once(decoy_query(query, plugin_->description.domain), options); });
+  }
+
   PluginAnswer ask_once(const Query& query, const SearchOptions& options) {
-    const Stopwatch watch;
     auto given = ask_for_any(query, options);
-    const double elapsed = watch.seconds();
     if (!given) throw_fault(given.error());
-    if (!given->has_seconds) given->answer.seconds = elapsed;
     return *std::move(given);
   }
 
@@ -178,9 +190,14 @@ class PluginMethod : public Method {
     }
     SearchOptions told = options;
     told.max_seconds = std::min(told.max_seconds, plugin_->spec.seconds);
-    const auto reply = worker_.ask(query_request(query, told, ++last_id_, plugin_->is_ours));
+    const std::string request = query_request(query, told, ++last_id_, plugin_->is_ours);
+    const Stopwatch watch;
+    const auto reply = worker_.ask(request);
+    const double elapsed = watch.seconds();
     if (!reply) throw_fault(reply.error());
-    return read_answer(*reply, last_id_, query.t_max);
+    auto given = read_answer(*reply, last_id_, query.t_max);
+    if (given && !given->has_seconds) given->answer.seconds = elapsed;
+    return given;
   }
 
   /// It is judged by what it said first.
@@ -191,18 +208,13 @@ class PluginMethod : public Method {
   }
 
   /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
-  /// say then. What its process does in place of answering is a fault like any.
+  /// say then.
   void check_nan_policy(const Query& query, const SearchOptions& options) {
     const NanPolicy policy = plugin_->description.nan_policy;
     if (policy == NanPolicy::kUndefined) return;
     const PoisonedQuery poisoned = poisoned_query(query);
-    tl::expected<PluginAnswer, Fault> given;
-    try {
-      given = ask_for_any(poisoned.query, options);
-    } catch (const MethodFault& fault) {
-      throw MethodFault(fault.name(),
-                        fmt::format("asked with {}: {}", poisoned.where, fault.what()));
-    }
+    const auto given =
+        asking("with " + poisoned.where, [&] { return ask_for_any(poisoned.query, options); });
     if (keeps(policy, given)) return;
     const std::string said = given ? text_of(given->answer) : given.error().note;
     broken_claim_.emplace("nan policy",
@@ -292,7 +304,8 @@ std::string build_of(const std::string& method) {
   if (!known) return "";
   const auto& [spec, description, program, is_ours, behind] = **known;
   std::ostringstream bytes;
-  bytes << description.line << '\n' << spec.options << '\n' << std::ifstream(spec.path).rdbuf();
+  bytes << description.line << '\n' << spec.options << '\n' << spec.seconds << ' ';
+  bytes << spec.megabytes << ' ' << spec.repeats << '\n' << std::ifstream(spec.path).rdbuf();
   return fmt::format("{}{}({})", description.version, description.version.empty() ? "" : " ",
                      hash_name(bytes.str()));
 }

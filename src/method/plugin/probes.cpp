@@ -8,6 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "case/scale.hpp"
+#include "method/setting.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -61,24 +64,36 @@ std::vector<Numbers> numbers_of(MovingPatch<double>& patch) {
 
 }  // namespace
 
-Query decoy_query(const Query& query) {
-  Query other = query;
-  for (size_t side = 0; side < 2; ++side) {
-    MovingPatch<double>& patch = other.patches[side];
-    if (is_of_bodies(query)) {  // bodies stay such that engines can make them
-      patch.velocities[0] = -patch.velocities[0];
-      continue;
+Query decoy_query(const Query& query, const Domain& domain) {
+  Query turned = query;
+  const auto turn = [](auto& v, size_t from) {
+    for (const size_t k : {from, from + 1}) v[k] = 0 - v[k];  // no -0 of a 0
+  };
+  bool has_speed = true;
+  for (MovingPatch<double>& patch : turned.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.moves()}) {
+      for (Vec3<double>& v : *points) turn(v, 0);
     }
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
-                            static_cast<double>(i % 3)};
-    }
-    patch.moves() = patch.has_ends()
-                        ? patch.positions
-                        : Points<double>(patch.velocities.size(), Vec3<double>(0, 0, 0));
+    if (patch.has_ends() || (patch.turn && !patch.turn->is_spin())) has_speed = false;
+    if (!patch.turn) continue;
+    turn(patch.turn->centre, 0);
+    if (patch.turn->is_spin()) turn(patch.turn->spin, 0);
+    if (!patch.turn->is_quaternion()) continue;
+    turn(patch.turn->from, 1);
+    turn(patch.turn->to, 1);
   }
-  other.t_max = 1;
-  return other;
+  if (!has_speed) return turned;
+  Query faster = turned;
+  for (MovingPatch<double>& patch : faster.patches) {
+    for (Vec3<double>& v : patch.velocities) v *= 2;
+    if (patch.turn) {
+      for (double& w : patch.turn->spin) w *= 2;
+    }
+  }
+  faster.t_max /= 2;
+  const bool is_promised = validate(faster, "") && is_within_scale(faster, kOrdinaryScale) &&
+                           domain.broken_by(faster).empty();
+  return is_promised ? faster : turned;
 }
 
 PoisonedQuery poisoned_query(const Query& query) {

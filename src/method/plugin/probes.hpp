@@ -3,11 +3,14 @@
 #include <string>
 
 #include "case/case.hpp"
+#include "method/domain.hpp"
 
 namespace ccdfuzz {
 
-/// The same shapes, at rest and far apart: what is asked between a query and its repetition.
-Query decoy_query(const Query& query);
+/// The query turned by 180° about the z axis. It is at twice the speed for half the time, and so
+/// has another toi, if the domain takes that. It is asked between a query and its repetition.
+/// Whatever is promised of one of them is promised of the other.
+Query decoy_query(const Query& query, const Domain& domain);
 
 /// A query with one number that is NaN or infinite: a coordinate, or the radius of a body or a
 /// number of its turn.

@@ -7,8 +7,8 @@
 namespace ccdfuzz {
 
 /// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
-/// still be. max_pops, max_bytes and max_work are deterministic. With their defaults every
-/// generated query is decided. Patches that coincide over an area need 4^depth pairs; for them
+/// still be. max_pops, max_bytes and max_work are deterministic. With their defaults
+/// generated queries are decided. Patches that coincide over an area need 4^depth pairs; for them
 /// tdibm-c runs out of memory within about a second. While it answers, a solver holds at most
 /// max_bytes, a sixth of it more, kGrowthBytes, and buffers below 12 MiB whose size follows from
 /// the degrees. Between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).
@@ -33,8 +33,8 @@ struct SearchOptions {
 
   bool is_stopped() const { return stop != nullptr && *stop; }
 
-  /// About a minute. Measured, generated queries of two triangle(2) take up to 2^31, in the family
-  /// mixed-scales, and of two tensor(8,8) up to 2^36.
+  /// About a minute. Generated queries of two triangle(2) took up to 2^31, and of two tensor(8,8)
+  /// up to 2^36. Integers of 512 bits counted a third as much when that was measured.
   static constexpr std::uint64_t kMostExactWork = std::uint64_t{1} << 36;
 
   /// What the memory may grow by from one look at max_bytes to the next.
