@@ -199,9 +199,10 @@ ClosedFormula draw_closed_formula(bool separation, Draw& draw) {
   const std::int64_t gap = separation ? draw.integer(1, 1000) : 0;
   const std::int64_t reach = pieces[0].height() + pieces[1].height() + gap;
   const std::int64_t aside = draw.choose(3) == 3 ? 2 * reach : reach / 2;
-  Whole way = any_whole(draw, aside);
+  // Head-on, or not.
+  Whole way = draw.coin() ? Whole{} : any_whole(draw, aside);
   way[2] = reach + draw.integer(1, 1000);
-  Whole rate = any_whole(draw, 300);
+  Whole rate = draw.coin() ? Whole{} : any_whole(draw, 300);
   rate[2] = -draw.integer(100, 1500);
   const Whole common = draw.coin() ? Whole{} : any_whole(draw, 500);
   const Whole place = draw.coin() ? Whole{} : any_whole(draw, 5000);
