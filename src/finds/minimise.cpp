@@ -84,7 +84,11 @@ class Minimiser {
       if (decided) contact_ = decided->origin.contact;
     }
     rank_ = simplicity_of(best_);
-    if (keeps_witness_) place_ = place_of(best_);
+    if (keeps_witness_) {
+      place_ = place_of(best_);
+    } else if (const auto& w = found_.truth.witness; w && !is_inside(*w, found_.query)) {
+      if (const auto near = near_contact_of(found_)) place_ = place_of(*near);
+    }
     are_floats_ = is_binary32(found_.query);
     return true;
   }
@@ -112,9 +116,16 @@ class Minimiser {
       value.truth = absence_by_tree(query);
     }
     if (value.truth.collides != is_false_negative(failure_)) return std::nullopt;
-    // What is missed at a time that is no fraction is missed inside.
-    const std::optional<Witness>& simple = value.truth.witness;
-    return !simple || is_inside(*simple, query) ? std::optional(value) : std::nullopt;
+    return is_in_place(value) ? std::optional(value) : std::nullopt;
+  }
+
+  /// Whether the contact of a decided case is on the features of the witness of `found`, or inside.
+  /// What is missed at a time that is no fraction is missed inside.
+  bool is_in_place(const Case& value) const {
+    const std::optional<Witness>& witness = value.truth.witness;
+    if (!place_) return !witness || is_inside(*witness, value.query);
+    const std::optional<Contact> near = near_contact_of(value);
+    return near && place_of(*near) == place_;
   }
 
   std::optional<Case> as_case(const Contact& q) const {
@@ -171,8 +182,8 @@ class Minimiser {
   Contact best_;
   Case best_case_ = found_;
   Simplicity rank_;
-  ContactPlace place_;
-  std::string contact_;  ///< its class, as case_of_bodies tells it
+  std::optional<ContactPlace> place_;  ///< of a witness that is kept, or is not inside
+  std::string contact_;                ///< its class, as case_of_bodies tells it
   bool keeps_witness_ = false;
   bool are_floats_ = false;
   std::uint64_t trials_ = 0;
