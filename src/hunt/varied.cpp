@@ -122,19 +122,18 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
     if (auto made = of_radius(value, draw)) return made;
   }
   if (has_turns(apart)) return std::nullopt;  // to decide it takes long
+  if (kept > 0) bring_to_claim(apart, kept, ground, draw);
+  if (!are_bodies && draw.below(3) == 0) level(apart, draw.integer(0, 2));
   if (kept > 0) {
-    bring_to_claim(apart, kept, ground, draw);
-    if (!are_bodies) {
-      if (draw.below(3) == 0) level(apart, draw.integer(0, 2));
-      fit(apart, ground);
-    }
+    if (!are_bodies) fit(apart, ground);
     apart.separation = rounded_down(kept * (1 - 0x1p-10));
   } else {
     const int size = std::ilogb(largest_coordinate(apart)) - draw.integer(5, 12);
     apart.separation = std::ldexp(4 + draw.integer(0, 3), size);
   }
   std::optional<Case> made = decided_case(apart);
-  if (made && kept > 0 && !are_bodies && draw.below(4) > 0) {
+  // Until they touch, patches are in contact by the separation alone.
+  if (made && !are_bodies && draw.below(4) > 0) {
     if (const auto begun = before_touch(*made, ground, draw)) made = decided_case(*begun);
   }
   return made;
@@ -159,7 +158,7 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
                                         !is_trimmed(query) && query.t_max > 0)) &&
                         query.separation == 0;
   if (ground.uniform) return std::nullopt;
-  // Elsewhere families of generators are enough.
+  // Elsewhere families of generators have ends enough.
   const bool is_limited = ground.binary32 || ground.scale || ground.ordinary || are_bodies;
   if (!is_plain) {
     const bool has_velocities = !has_ends(query) && !are_bodies;
@@ -168,8 +167,7 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
     return of_ends && ground.has(*of_ends) ? of_ends : std::nullopt;
   }
   const double kept = features.kept_separation;
-  const bool is_apart =
-      kept > 0 ? draw.coin() : features.separation && is_limited && draw.below(6) == 0;
+  const bool is_apart = kept > 0 ? draw.coin() : features.separation && draw.below(6) == 0;
   // What is asked as it is comes up to four times (forms_of).
   const bool is_of_ends = features.ends && is_limited && !are_bodies &&
                           draw.below(8) < (ground.binary32 ? std::uint64_t{7} : std::uint64_t{4});
