@@ -141,7 +141,7 @@ std::vector<std::string> texts_between(const std::string& text, char mark) {
 std::string depth_text(double depth, double tolerance) {
   if (!(depth > 0)) return "";
   const std::string text = fmt::format(", {:.2g} deep", depth);
-  if (!(tolerance > 0)) return text;
+  if (!(tolerance > 0) || depth < tolerance) return text;
   return text + fmt::format(", {:.2g} times the tolerance", depth / tolerance);
 }
 

@@ -29,6 +29,13 @@ std::string time_text(const Rational& t) {
   return text.size() <= kLong ? text : fmt::format("{}", t.get_d());
 }
 
+/// "tensor(2,1)", "one-sided mesh of 2 triangles".
+std::string shape_text(const MovingPatch<double>& patch) {
+  if (patch.faces.empty()) return to_text(patch.shape);
+  return fmt::format("{}mesh of {}", patch.one_sided ? "one-sided " : "",
+                     counted(patch.faces.size(), "triangle", "triangles"));
+}
+
 /// A case to ask about, and its checked truth.
 std::string heading_of(const NamedCase& named) {
   const auto& [query, truth, origin, asked, expect] = named.value;
@@ -45,8 +52,8 @@ std::string heading_of(const NamedCase& named) {
     known = *truth.collides ? "contact" : "no contact";
   }
   return fmt::format("{}\n{}", named.id,
-                     wrapped(fmt::format("{} and {}, t_max {}: {}", to_text(query.patches[0].shape),
-                                         to_text(query.patches[1].shape), query.t_max, known),
+                     wrapped(fmt::format("{} and {}, t_max {}: {}", shape_text(query.patches[0]),
+                                         shape_text(query.patches[1]), query.t_max, known),
                              2));
 }
 

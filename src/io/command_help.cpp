@@ -230,7 +230,13 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     if (at != std::string::npos && text.find(' ') == at) return text.insert(at, ":");
   }
   const size_t repeated = text.find(": At Most 1 required");
-  if (repeated != std::string::npos) return text.substr(0, repeated) + ": is given more than once";
+  if (repeated != std::string::npos) {
+    const std::string name = text.substr(0, repeated);
+    const CLI::Option* option = command.get_option_no_throw(name);
+    const bool is_list =
+        option != nullptr && option->get_description().find("commas") < std::string::npos;
+    return name + ": is given more than once" + (is_list ? "; several go with commas between" : "");
+  }
   constexpr std::string_view kMissing = ": 1 required ";
   const size_t at = text.find(kMissing);
   if (at == std::string::npos) return text;

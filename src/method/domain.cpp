@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -63,6 +64,18 @@ bool is_of_scale(const Query& query, int scale) {
   Query touching = query;
   touching.separation = 0;
   return is_within_scale(touching, scale);
+}
+
+/// "1 (radius > 0)", "4 to 8 (radius 0)", "4 or more".
+std::string points_text(const BodyKind& kind) {
+  std::string text = fmt::format("{}", kind.least_points);
+  if (kind.most_points >= kMaxControls) {
+    text += " or more";
+  } else if (kind.most_points > kind.least_points) {
+    text += fmt::format(" to {}", kind.most_points);
+  }
+  constexpr std::array kRadii = {"", " (radius 0)", " (radius > 0)"};
+  return text + kRadii[static_cast<size_t>(kind.radius)];
 }
 
 }  // namespace
@@ -174,6 +187,11 @@ std::string Domain::text() const {
   if (binary32) rules.emplace_back("floats");
   if (scale) rules.push_back(fmt::format("within 2^±{}", *scale));
   if (plane) rules.emplace_back("bodies in the plane z = 0");
+  if (!body_kinds.empty()) {
+    std::vector<std::string> kinds;
+    for (const BodyKind& kind : body_kinds) kinds.push_back(points_text(kind));
+    rules.push_back(fmt::format("bodies of {} points", fmt::join(kinds, " or ")));
+  }
   if (small_spins) rules.emplace_back("spins by π/4 at most");
   if (ordinary) rules.emplace_back("ordinary queries alone");
   if (ordinary && initial_overlap) rules.emplace_back("or bodies that overlap at 0");
