@@ -44,8 +44,8 @@ ContactSide draw_side(Draw& choices, const ContactRange& range, std::size_t plac
   const bool off_grid = range.off_grid && choices.coin();
   const int bits_in_all = range.binary32 ? kFloatOffGridBits : kOffGridBits;
   const int left = (bits_in_all - range.coordinate_bits) / degrees;
-  const int bits = off_grid ? std::max(kContactUvBits, left) : kContactUvBits;
-  side.at = draw_uv(choices, side.shape, bits, !off_grid);
+  side.at = off_grid ? draw_fine_uv(choices, side.shape, std::max(kContactUvBits, left))
+                     : draw_uv(choices, side.shape, kContactUvBits);
   side.points = draw_points(choices, side.shape, range.coordinate_bits, unit);
   side.rates = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
   const std::vector<bool> bearing = bearing_controls(side);

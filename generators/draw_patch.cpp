@@ -40,11 +40,11 @@ Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exp
   return points;
 }
 
-Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits, bool often_at_ends) {
+Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits) {
   const std::int64_t steps = std::int64_t{1} << bits;
   const auto up_to = [&](std::int64_t end) {
     // The ends half of the time: features of lower dimension are where methods break.
-    const std::uint64_t where = often_at_ends ? choices.choose(3) : 2;
+    const std::uint64_t where = choices.choose(3);
     if (where == 0) return std::int64_t{0};
     return where == 1 ? end : choices.integer(0, end);
   };
@@ -55,6 +55,22 @@ Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits, bool often_at_en
   if (shape.kind == ShapeKind::kCurve) return uv;
   const std::int64_t v = up_to(shape.kind == ShapeKind::kTriangle ? steps - u : steps);
   uv[1] = Dyadic(Integer(static_cast<long>(v)), -bits);
+  return uv;
+}
+
+Uv<Dyadic> draw_fine_uv(Draw& choices, const Shape& shape, int bits) {
+  const auto below_one = [&] {
+    Integer digits = 0;
+    std::uint64_t reversed = choices.below(std::uint64_t{1} << bits);
+    for (int i = 0; i < bits; ++i, reversed >>= 1) digits = 2 * digits + (reversed & 1);
+    return Dyadic(digits, -bits);
+  };
+  Uv<Dyadic> uv;
+  if (shape.kind == ShapeKind::kPoint) return uv;
+  uv[0] = below_one();
+  if (shape.kind == ShapeKind::kCurve) return uv;
+  uv[1] = below_one();
+  if (shape.kind == ShapeKind::kTriangle && uv[0] + uv[1] > 1) uv = {1 - uv[0], 1 - uv[1]};
   return uv;
 }
 

@@ -23,9 +23,11 @@ Vec3<double> draw_integers(Draw& choices, std::int64_t most);
 /// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
 Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent);
 
-/// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare, unless
-/// often_at_ends is false.
-Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits, bool often_at_ends = true);
+/// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
+Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
+/// The same, where each is as likely as any other. The bits of a choice are the parameter's, lowest
+/// first: so a parameter has few bits, and is not a small one, where its choice was shrunk.
+Uv<Dyadic> draw_fine_uv(Draw& choices, const Shape& shape, int bits);
 
 /// A cell of this depth; below 1, all of the patch.
 Cell draw_cell_at(Draw& choices, const Shape& shape, std::int64_t depth);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <iosfwd>
 #include <optional>
 
@@ -14,9 +15,11 @@ class Dyadic {
  public:
   Dyadic() = default;
   Dyadic(int m) : Dyadic(Integer(m), 0) {}  // NOLINT: integers convert as in any number type
+  template <std::floating_point Real>
+  Dyadic(Real) = delete;  // `exact` is for these
   Dyadic(Integer m, long k) : m_(std::move(m)), k_(k) { normalise(); }
 
-  /// The exact value of a finite double; there is no implicit conversion from double.
+  /// The exact value of a finite double, which does not convert by itself.
   static Dyadic exact(double x);
   /// The exact value of x if its denominator is a power of two.
   static std::optional<Dyadic> from(const Rational& x);
