@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "certify/oracle/outcome_of.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 #include "properties/draw_linear.hpp"
@@ -39,7 +41,7 @@ MovingPatch<double> body_of(const WholeBox& box, const Vec3<double>& velocity, d
   }
   MovingPatch<double> body;
   body.shape = Shape::hull(static_cast<int>(corners.size()));
-  body.velocities.assign(corners.size(), velocity);
+  body.velocities = {velocity};
   body.positions = std::move(corners);
   body.radius = radius;
   return body;
@@ -50,59 +52,112 @@ MovingPatch<double> body_of(const WholeBox& box, const Vec3<double>& velocity, d
 void check_depth_of_boxes(Draw& d) {
   const std::array<WholeBox, 2> boxes = {draw_whole_box(d), draw_whole_box(d)};
   const std::size_t axis = d.below(3), mover = d.below(2);
-  const std::int64_t way = d.integer(-4, 4);
+  const double way = d.integer(-4, 4);
   const auto radius = [&] { return d.integer(0, 8) / 4.0; };
   const double first = radius(), second = radius();
   Vec3<double> velocity(0, 0, 0);
-  velocity[static_cast<long>(axis)] = static_cast<double>(way);
-  Query query;
+  velocity[static_cast<long>(axis)] = way;
+  Case known;
+  Query& query = known.query;
   query.t_max = 1;
   query.patches = {body_of(boxes[0], mover == 0 ? velocity : Vec3<double>(0, 0, 0), first),
                    body_of(boxes[1], mover == 1 ? velocity : Vec3<double>(0, 0, 0), second)};
-  show(d, "query", query);
+  known.truth = decide(query).truth;
+  show(d, "case", known);
 
-  WholeBox swept = boxes[mover];
-  swept.low[axis] += std::min<std::int64_t>(way, 0);
-  swept.high[axis] += std::max<std::int64_t>(way, 0);
-  const WholeBox& rest = boxes[1 - mover];
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  double gaps = 0;  // squared, exact
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::int64_t overlap = std::min(swept.high[k] - rest.low[k], rest.high[k] - swept.low[k]);
-    least = std::min(least, overlap);
-    if (overlap < 0) gaps += static_cast<double>(overlap * overlap);
-  }
-  const double radii = first + second;
-  const double depth =
-      least >= 0 ? radii + static_cast<double>(least) : std::max(0.0, radii - std::sqrt(gaps));
-  show(d, "depth", depth);
+  const auto depth_of = [&](double until) {
+    double least = HUGE_VAL, gaps = 0;  // squared, exact
+    for (std::size_t k = 0; k < 3; ++k) {
+      const WholeBox &swept = boxes[mover], &rest = boxes[1 - mover];
+      const double moved = k == axis ? way * until : 0;
+      const auto low = static_cast<double>(swept.low[k]) + std::min(moved, 0.0) -
+                       static_cast<double>(rest.high[k]);
+      const auto high = static_cast<double>(swept.high[k]) + std::max(moved, 0.0) -
+                        static_cast<double>(rest.low[k]);
+      const double overlap = std::min(high, -low);
+      least = std::min(least, overlap);
+      if (overlap < 0) gaps += overlap * overlap;
+    }
+    return least >= 0 ? first + second + least : std::max(0.0, first + second - std::sqrt(gaps));
+  };
+  const double depth = show(d, "depth", depth_of(query.t_max));
   const std::optional<double> got = depth_until(query, query.t_max);
   // Numbers of at most 16, in binary64, and few roundings.
   constexpr double kRounding = 0x1p-44;
   CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
+  CLAIM(known.truth.collides.has_value());
+  if (!*known.truth.collides) return;
+
+  const CheckedCase checked = value_or_throw(check_case(known));
+  const Rational contact = *checked.contact_by();
+  const double toi = d.integer(0, 4) / 4.0;
+  // A hit is late by no more than the way since the contact.
+  const Rational late_by = std::abs(way) * (exact(show(d, "toi", toi)) - contact);
+  const auto claim_judged = [&](const Answer& said, double deep, int side, Outcome wrong) {
+    // Depths are fourths, or far enough from the next eighths, of which the tolerance is one.
+    AnswerTerms terms;
+    terms.depth_tolerance = show(d, "tolerance", std::abs(std::floor(4 * deep) / 4 + side / 8.0));
+    const bool is_right =
+        deep < terms.depth_tolerance || (said.toi && late_by <= exact(terms.depth_tolerance));
+    const Outcome outcome = show(d, "outcome", outcome_of(checked, said, terms, false));
+    CLAIM(outcome == (is_right ? Outcome::kCorrect : wrong));
+  };
+  for (const int side : {-1, 1}) {
+    claim_judged(Answer::miss(), depth, side, Outcome::kMissed);
+    claim_judged(Answer::hit(toi), depth_of(toi), side, Outcome::kLate);
+  }
+}
+
+/// Turns an arm about z, evenly or nearly so, by a quaternion. Returns the angle at t, in [0, 1].
+double turn_arm(Draw& d, double t, BodyTurn& turn) {
+  if (d.coin()) {
+    const int speed = d.integer(1, 8);
+    turn.spin = {0, 0, 1.0 * speed};
+    return speed * t;
+  }
+  const double most = d.integer(4, 8) / 16.0;
+  turn.from = {1, 0, 0, -most};
+  turn.to = {1, 0, 0, most};
+  return 2 * std::atan(most * (2 * t - 1));
 }
 
 /// The axis of an arm that turns about its end comes through the centre of a ball. They overlap by
-/// both radii then, however short that is, and never by more.
+/// both radii and their separation then, however short that is, and never by more.
 void check_depth_of_arms(Draw& d) {
-  const int length = d.integer(1, 8), way = d.integer(1, length), speed = d.integer(1, 8);
+  const int length = d.integer(1, 8), way = d.integer(1, length);
   const double arm = d.integer(0, 4) / 16.0, ball = d.integer(1, 8) / 16.0;
-  const double angle = speed * d.integer(1, 63) / 64.0;
+  const double t = d.integer(1, 63) / 64.0;
   MovingPatch<double> turning{Shape::hull(2), {{0, 0, 0}, {1.0 * length, 0, 0}}, {{0, 0, 0}}};
+  const double angle = turn_arm(d, t, turning.turn.emplace());
   MovingPatch<double> resting{
       Shape::hull(1), {{way * std::cos(angle), way * std::sin(angle), 0}}, {{0, 0, 0}}};
   turning.radius = arm;
-  turning.turn.emplace().spin = {0, 0, 1.0 * speed};
   resting.radius = ball;
-  const Query query{{turning, resting}, 1};
-  show(d, "query", query);
-  const double depth = show(d, "depth", arm + ball);
+  const Rational share = Rational(way) / length;
+  Witness witness{exact(t), {}, {{{1 - share, share}, {1}}}};
+  if (d.coin()) {
+    std::ranges::reverse(turning.positions);
+    std::ranges::reverse(witness.weights[0]);
+  }
+  Case known;
+  Query& query = known.query = {{turning, resting}, 1};
+  query.separation = d.integer(0, 2) / 16.0;
+  known.truth.witness = witness;
+  show(d, "case", known);
+  const double depth = show(d, "depth", arm + ball + query.separation);
   const std::optional<double> got = depth_until(query, query.t_max);
   // The centre is off by a few roundings of numbers of at most 8.
   constexpr double kRounding = 0x1p-44;
   CLAIM(got && *got <= depth + kRounding && *got >= depth / 2);
-  CLAIM(is_deeper_until(query, query.t_max, exact(depth) * 7 / 8, false) == true);
-  CLAIM(!is_deeper_until(query, query.t_max, exact(depth) * 9 / 8, false));
+  const CheckedCase checked = value_or_throw(check_case(known));
+  const auto outcome_of_miss = [&](double tolerance) {
+    AnswerTerms terms;
+    terms.depth_tolerance = tolerance;
+    return show(d, "outcome", outcome_of(checked, Answer::miss(), terms, false));
+  };
+  CLAIM(outcome_of_miss(depth * 7 / 8) == Outcome::kMissed);
+  // It would have to be moved by more than it overlaps at any time.
+  CLAIM(outcome_of_miss(depth * 9 / 8) == Outcome::kUnknown);
 }
 
 double depth_of_feature(const Query& query) {
@@ -134,7 +189,8 @@ void check_depth_of_features(Draw& d) {
 std::vector<Property> depths_claims() {
   return {
       {"bodies.depth_of_boxes",
-       "Two boxes, one of which moves along an axis, are as deep as their corners say",
+       "Two boxes, one of which moves along an axis, are as deep as their corners say; a miss or a "
+       "late hit is right iff that is within the tolerance",
        "src/certify/oracle/body_depth.hpp", check_depth_of_boxes},
       {"bodies.depth_of_arms",
        "However shortly an arm passes through a ball, it is found to be as deep as both radii",

@@ -145,14 +145,15 @@ void check_judged(Draw& d) {
     const Outcome got = outcome(said);
     if (known_depth > tolerance) return got == wrong;
     if (!has_turns(query)) return got == Outcome::kCorrect;
-    return got != wrong || 1.25 * known_depth >= tolerance;
+    return got == Outcome::kUnknown || (got == wrong && 1.25 * known_depth >= tolerance);
   };
   CLAIM(is_as_deep(Answer::miss(), show(d, "depth", depth), Outcome::kMissed));
   const double toi = show(d, "toi", std::ldexp(query.t_max, -d.integer(0, 30)));
   const double way = show(d, "way", toi * speed);
   const double before = supposed(depth_until(query, toi));
   suppose(std::abs(way - terms.depth_tolerance) >= 0x1p-40 * way);  // it is rounded
-  CLAIM(is_as_deep(Answer::hit(toi), way > tolerance ? before : 0, Outcome::kLate));
+  CLAIM(way > tolerance ? is_as_deep(Answer::hit(toi), before, Outcome::kLate)
+                        : outcome(Answer::hit(toi)) == Outcome::kCorrect);
 }
 
 }  // namespace
