@@ -161,7 +161,7 @@ void check_terms_of_time(Draw& d) {
   CLAIM(late_by <= toi);
 }
 
-/// A point that passes a line at five times a power of two.
+/// A point that passes a line at five times a power of two; then bodies that do, with radii.
 void check_terms_of_space(Draw& d) {
   const double size = std::ldexp(1.0, d.integer(-40, 40));
   const double passing = sixteenths(d.integer(0, 16));
@@ -191,6 +191,23 @@ void check_terms_of_space(Draw& d) {
   show(d, "space_tolerance", terms.space_tolerance);
   show(d, "case", asked);
   claim_judged(d, checked_or_unknown(asked), answer, expected, terms);
+
+  // Bodies are judged by how far they are apart, wherever the hit says that they touch.
+  double apart = 5 * size;
+  for (MovingPatch<double>& body : asked.query.patches) {
+    body.shape = Shape::hull(static_cast<int>(body.positions.size()));
+    body.velocities.resize(1);
+    body.radius = size * static_cast<double>(d.integer(0, 2));
+    apart -= body.radius;
+  }
+  asked.truth.clearance = BodyClearance{exact(asked.query.t_max), {0, 3, 4}, true};
+  asked.truth.proof = proof_word(*asked.truth.clearance);
+  if (d.coin()) terms.space_tolerance = d.nudged(apart, 1);
+  const bool may_be_near = terms.space_tolerance > 0 && terms.space_tolerance >= apart;
+  show(d, "tolerance of bodies", terms.space_tolerance);
+  show(d, "bodies", asked);
+  claim_judged(d, checked_or_unknown(asked), answer,
+               may_be_near ? Outcome::kUnknown : Outcome::kFalsePositive, terms);
 }
 
 /// A case about two points that meet once, which says what is false or has no proof. What is later
@@ -312,8 +329,8 @@ std::vector<Property> judge_claims() {
        "the last bit; a late hit is no later than is said, nor than its time",
        kSource, check_terms_of_time},
       {"judge.keeps_to_terms_of_space",
-       "A hit is false iff it is off by more than the tolerance in space, to the last bit, and "
-       "unknown where it does not say where",
+       "A hit is false iff it is off by more than the tolerance in space, to the last bit; it is "
+       "unknown where it does not say where, and of bodies that are no farther apart",
        kSource, check_terms_of_space},
       {"judge.believes_nothing_unproven",
        "By a false witness or plane, a certificate past a contact or of less than is said, or the "
