@@ -1,5 +1,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/linear/first_contact.hpp"
+#include "certify/oracle/complete_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/similar.hpp"
@@ -117,6 +119,45 @@ void check_claims_of_case(Draw& d) {
   CLAIM(absence_is_accepted(claim) == clearance_bears(claim));
 }
 
+/// Absence until some time, said and proven or not, of a linear query with an exact first contact.
+void check_completed(Draw& d) {
+  Case claim;
+  claim.query = supposed(draw_linear(d));
+  const Rational t_max = exact(claim.query.t_max);
+  auto contact = linear::first_contact(linear::exact_patches(claim.query), 2 * t_max);
+  if (contact) contact->narrow(power_of_two(-64));
+  const auto after = [&](const Rational& t) {
+    return contact ? contact->sign_of(linear::Polynomial({-t.get_num(), t.get_den()})) : 1;
+  };
+  // Proofs are refuted soon up to where a contact is at a number of eighths.
+  const bool is_known = !contact || contact->is_rational();
+  const Rational until =
+      (contact ? contact->lo() : t_max) * 8 / static_cast<long>(d.integer(is_known ? 4 : 9, 16));
+  Truth& truth = claim.truth;
+  bool is_false = false;
+  if (d.coin()) {
+    truth.collides = false;
+    is_false = after(t_max) <= 0;
+  }
+  if (d.coin()) {
+    truth.clear_until = until;
+    is_false |= after(until) < 0;
+  }
+  if (d.coin()) {
+    const bool closed = d.coin();
+    truth.clearance = LinearClearance{until, closed};
+    is_false |= after(until) < (closed ? 1 : 0);
+    // It is no proof of all that is said then.
+    is_false |= truth.collides == false && (closed ? until < t_max : until <= t_max);
+  }
+  show(d, "case", claim);
+  const Completed completed = complete_truth(claim);
+  show(d, "completed", completed.value);
+  CLAIM(completed.refuted == is_false);
+  CLAIM(completed.value.truth.collides == (after(t_max) <= 0));
+  CLAIM(check_case(completed.value).has_value());
+}
+
 /// The same motion from another time on. Discarded if it takes numbers that no double holds.
 void begin_at(Case& moving, const Rational& start) {
   moving.query = supposed(begun_at(moving.query, start));
@@ -151,6 +192,10 @@ std::vector<Property> untrue_cases_claims() {
        "Witness and plane of a motion are accepted of the same motion from another time on, and "
        "refused iff what they prove comes before t = 0 then",
        "src/certify/checker/check_witness.hpp", check_other_start},
+      {"oracle.refutes_untrue_claims",
+       "What a case claims of absence is refuted iff a contact or its own proof is against it, and "
+       "what stands in its place is proven",
+       "src/certify/oracle/complete_truth.hpp", check_completed},
   };
 }
 
