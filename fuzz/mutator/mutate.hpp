@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "fuzz/mutator/case_bytes.hpp"
@@ -30,9 +29,6 @@ struct CaseMutation {
   /// How many methods an input can name; at least 1.
   std::uint8_t methods = 1;
   QueryRange range = QueryRange::kPlain;
-  /// What the code under test is to be asked, such as what it promises to answer; all if empty. The
-  /// first of up to 16 mutants is taken of which it is true, or else the last.
-  std::function<bool(const Contact&)> wanted = {};
 };
 
 /// For LLVMFuzzerCustomMutator where inputs are case bytes (to_bytes): makes a mutant that

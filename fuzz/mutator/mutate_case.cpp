@@ -38,7 +38,6 @@ ContactRange draw_range(Draw& draw) {
 
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
                         const CaseMutation& options) {
-  constexpr int kTries = 16;
   Draw draw{Random(seed)};
   const std::uint8_t method = mutated_method(method_number({data, size}), options.methods, draw);
   if (draw.below(options.own_in) == 0 && LLVMFuzzerMutate != nullptr && size > 1) {
@@ -48,18 +47,13 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
   const std::optional<Contact> q = contact_of_bytes(std::span(data, size), options.range);
   // Draws from a source of its own: what the seed makes of q does not depend on it.
   Draw anew{Random::keyed({seed, 1})};
-  const Contact whole = q.value_or(falling_point());
-  const auto is_wanted = [&](const Contact& c) { return !options.wanted || options.wanted(c); };
-  for (int left = kTries;; --left) {
-    if (anew.below(options.drawn_in) == 0 || !q) {
-      const ContactRange range = draw_range(anew);
-      const Contact drawn = draw_witnessed(anew, range);
-      const std::size_t taken = is_wanted(drawn) ? put(drawn, method, {data, max_size}) : 0;
-      if (taken > 0) return taken;
-    }
-    const Contact mutant = mutate(whole, whole, draw, options.range);
-    if (left == 1 || is_wanted(mutant)) return put(mutant, method, {data, max_size});
+  if (anew.below(options.drawn_in) == 0 || !q) {
+    const ContactRange range = draw_range(anew);
+    const std::size_t drawn = put(draw_witnessed(anew, range), method, {data, max_size});
+    if (drawn > 0) return drawn;
   }
+  const Contact whole = q.value_or(falling_point());
+  return put(mutate(whole, whole, draw, options.range), method, {data, max_size});
 }
 
 std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
