@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     known = decide_briefly(*query, kRefutationPops);
     if (known.truth.collides != true) return 0;
-    for (const char* name : kMissNothing) {
+    for (const std::string& name : miss_nothing()) {
       claim_not_contradicted(name, methods[name], known, kRefutationSearch);
     }
   } catch (const Refuted& why) {

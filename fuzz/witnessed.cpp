@@ -14,13 +14,11 @@
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
 #include "method/method_set.hpp"
+#include "properties/against_oracle.hpp"
 
 namespace {
 
 using namespace ccdfuzz;  // NOLINT: a target is a file of its own
-
-/// Proven to lose no contact.
-constexpr std::array kSound = {"tdibm-c", "tdibm-rational"};
 
 }  // namespace
 
@@ -36,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto q = contact_of_bytes(std::span(data, size), QueryRange::kAll);
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
-  for (const char* sound : kSound) {
+  for (const std::string& sound : miss_nothing()) {
     const Trace& trace = methods[sound].trace(q->query, witness, {});
     if (!trace.lost) continue;
     std::cerr << sound << " loses the contact of this case; show it with"

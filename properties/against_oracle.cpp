@@ -9,6 +9,13 @@
 
 namespace ccdfuzz {
 
+const std::vector<std::string>& miss_nothing() {
+  // The claims of tdibm-e are false where products under- or overflow; that of the other, anywhere.
+  static const std::vector<std::string> specs =
+      claimants_but({"tdibm-e", "tdibm-e-literal", "oracle"});
+  return specs;
+}
+
 Case decide_briefly(const Query& query, std::uint64_t max_pops) {
   OracleOptions little;
   little.max_pops = max_pops;
@@ -43,7 +50,7 @@ void claim_not_contradicted(const std::string& name, Method& method, const Case&
 void claim_all_agree(const Query& query, std::uint64_t max_pops, const SearchOptions& search) {
   const Case known = decide_briefly(query, max_pops);
   if (known.truth.collides != true) return;
-  for (const char* name : kMissNothing) {
+  for (const std::string& name : miss_nothing()) {
     claim_not_contradicted(name, **make_method(name), known, search);
   }
 }

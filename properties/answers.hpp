@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
@@ -11,11 +12,11 @@
 
 namespace ccdfuzz {
 
-/// A spec that makes a registered method, with a parameter where it takes one.
-inline std::string spec_of(const MethodInfo& info) {
-  std::string spec = info.spec;
-  if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
-  return spec;
+/// One of these, at times with one of its switches.
+inline std::string draw_spec(Draw& d, const std::vector<std::string>& among) {
+  const std::string spec = d.pick(among);
+  const std::vector<std::string> switches = method_info(spec)->switches;
+  return switches.empty() || d.choose(3) != 3 ? spec : spec + '@' + d.pick(switches);
 }
 
 /// For failure texts.
@@ -44,10 +45,9 @@ inline void claim_same(const Answer& a, const Answer& b) {
 }
 
 /// Each of the methods has the same answer to both queries, to the bit.
-template <std::size_t N>
-void claim_answered_alike(const std::array<const char*, N>& methods, const Query& a, const Query& b,
-                          const SearchOptions& options) {
-  for (const char* name : methods) {
+inline void claim_answered_alike(const std::vector<std::string>& methods, const Query& a,
+                                 const Query& b, const SearchOptions& options) {
+  for (const std::string& name : methods) {
     claim_same(answer_of(name, a, options), answer_of(name, b, options));
   }
 }

@@ -27,9 +27,8 @@ Case draw_case_apart(Draw& d) {
 
 void check_not_early_apart(Draw& d) {
   const FirstContact drawn = draw_first_contact(d, true);
-  // The first is the faster, and its axes are made for distances.
   constexpr SearchOptions kBrief = {kFinePrecision, 300, SearchOptions().max_bytes};
-  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational"}), drawn, d, kBrief);
+  claim_not_early(d.pick(miss_nothing()), drawn, d, kBrief);
 }
 
 /// A tree that proves a share of a distance is refused as a proof of all of it, also of patches
@@ -188,7 +187,7 @@ std::vector<Property> distances_claims() {
   add_claims_of(claims, {"separation",
                          "apart",
                          "at a distance",
-                         {kCertified, kRational},
+                         {{"tdibm-c", kCertified}, {"tdibm-rational", kRational}},
                          &Features::separation,
                          {Family::kApart, Family::kSeparated},
                          draw_case_apart});

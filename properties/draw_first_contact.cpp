@@ -71,7 +71,7 @@ FirstContact draw_first_contact(Draw& choices, bool apart) {
   return out;
 }
 
-void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,
+void claim_not_early(const std::string& method, const FirstContact& drawn, Draw& draw,
                      const SearchOptions& search) {
   const Answer answer = asked(draw, method, drawn.query, search);
   suppose(answer.verdict != Verdict::kUndecided);

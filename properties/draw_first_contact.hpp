@@ -22,7 +22,7 @@ struct FirstContact : Case {
 FirstContact draw_first_contact(Draw& choices, bool apart = false);
 
 /// The method hits, no earlier than explained. Discarded: it is undecided. Shows all.
-void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,
+void claim_not_early(const std::string& method, const FirstContact& drawn, Draw& draw,
                      const SearchOptions& search = kFineSearch);
 
 }  // namespace ccdfuzz

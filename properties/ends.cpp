@@ -61,7 +61,7 @@ void check_same_motion(Draw& d) {
     const auto decided = [](const Answer& a) { return a.verdict != Verdict::kUndecided; };
     CLAIM(of_ends.verdict == of_velocities.verdict || !decided(of_ends) || !decided(of_velocities));
   }
-  claim_answered_alike(std::array{"tdibm", "tdibm-e", "trad"}, q.query, plain, kQuickSearch);
+  claim_answered_alike({"tdibm", "tdibm-e", "trad"}, q.query, plain, kQuickSearch);
 }
 
 /// No proof of linear patches reaches a contact, however little it is off their rounded motion.
@@ -90,7 +90,7 @@ std::vector<Property> ends_claims() {
   add_claims_of(claims, {"ends",
                          "ends",
                          "of patches with ends",
-                         {kCertified, kRational},
+                         {{"tdibm-c", kCertified}, {"tdibm-rational", kRational}},
                          &Features::ends,
                          {Family::kEnds, Family::kEnds},
                          [](Draw& d) { return draw_contact_with_ends(d, kElsewhere); }});

@@ -11,15 +11,11 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr std::array kEveryMethod = {
-    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
-    "tdibm-e", "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
-
 /// Budgets that no drawn query makes long.
 constexpr SearchOptions kShortSearch = {0x1p-4, 60, SearchOptions().max_bytes};
 
 void check_no_state(Draw& d) {
-  const char* name = show(d, "method", d.pick(kEveryMethod));
+  const std::string name = show(d, "method", draw_spec(d, every_method_but()));
   const Result<Case> first = draw_contact(d, {}), second = draw_contact(d, {});
   suppose(first && second);
   const auto used = *make_method(name), fresh = *make_method(name);
@@ -82,9 +78,8 @@ void claim_monotone_in_t_max(Draw& d, const char* name) {
 /// a method says that they do not touch. One that always hits, or never decides, does not. Oriented
 /// boxes have no axes where a surface is but a point, so most methods are asked about points.
 void check_far_apart(Draw& d) {
-  const char* name = d.pick(kEveryMethod);
-  const bool takes_anything =
-      name == std::string_view("tdibm-c") || name == std::string_view("trad:aabb");
+  const std::string name = draw_spec(d, every_method_but());
+  const bool takes_anything = name == "tdibm-c" || name == "trad:aabb";
   Query query = draw_small_query(d, takes_anything ? 2 : 0);
   query.t_max = 2;
   const auto along = static_cast<int>(d.choose(2));
@@ -94,8 +89,7 @@ void check_far_apart(Draw& d) {
 
 /// Two points meet: a method that claims to miss nothing says hit, and neither misses nor gives up.
 void check_meeting_points(Draw& d) {
-  constexpr std::array kSound = {"tdibm-e", "tdibm-rational", "tdibm-c"};
-  const char* name = d.pick(kSound);
+  const std::string name = d.pick(claimants_but());
   const double t = show(d, "t", std::ldexp(d.integer(0, 8), -3));
   const Vec3<double> meeting = draw_integers(d, 64);
   Query query;
@@ -110,10 +104,20 @@ void check_meeting_points(Draw& d) {
   CLAIM(*answer.toi <= t);
 }
 
+/// The claim of tdibm-e-literal is false, which one of its own says.
+void check_no_false_negative(Draw& d) {
+  const std::string name = d.pick(claimants_but({"tdibm-e-literal"}));
+  claim_no_false_negative(name, draw_transformed(d), kQuickSearch, d);
+}
+
 }  // namespace
 
 std::vector<Property> method_answers_claims() {
   return {
+      {"methods.no_false_negative",
+       "No method that claims to miss nothing misses a contact of ordinary numbers or is late; but "
+       "tdibm-e-literal does",
+       "src/method/method.hpp", check_no_false_negative},
       {"methods.no_state", "A method answers as a fresh one does, whatever it was asked before",
        "src/method/method.hpp", check_no_state},
       {"methods.not_contradicted_anywhere",

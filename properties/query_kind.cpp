@@ -155,8 +155,12 @@ void add_claims_of(std::vector<Property>& claims, const QueryKind& kind) {
     suppose(is_in_regions(known));
     return known;
   };
-  for (std::size_t i = 0; i < kMissNothing.size(); ++i) {
-    add_contact_claims(claims, kMissNothing[i], "_" + kind.kind, kind.of, kind.sources[i], draw);
+  for (const std::string& method : miss_nothing()) {
+    const MethodInfo info = method_info(method).value();
+    if (!(info.features.*kind.feature)) continue;
+    const auto source = kind.sources.find(method);
+    add_contact_claims(claims, method, "_" + kind.kind, kind.of,
+                       source == kind.sources.end() ? info.source : source->second, draw);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "generators/generate.hpp"
 #include "method/features.hpp"
 #include "properties/no_false_negative.hpp"
@@ -11,9 +13,10 @@ struct QueryKind {
   std::string subject;  ///< of the names of its claims: "weights"
   std::string kind;     ///< of the names of its contact claims: "weighted"
   std::string of;       ///< what sentences say after "contact": "of rational patches"
-  std::array<std::string, 2> sources;  ///< of what tdibm-c and tdibm-rational make of it
-  bool Features::*feature;             ///< what a method takes that takes it
-  std::array<Family, 2> families;      ///< those that make such contacts, too
+  /// Where it is said what a method makes of it, if that is not the method's own source.
+  std::map<std::string, std::string> sources;
+  bool Features::*feature;         ///< what a method takes that takes it
+  std::array<Family, 2> families;  ///< those that make such contacts, too
   DrawCase draw;  ///< contacts; of trimmed patches also such as are off their regions
 };
 

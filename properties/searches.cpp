@@ -13,10 +13,10 @@ namespace {
 
 /// A run that may take no more pops than n, against one that took P. For n = P the answer is the
 /// same. For fewer it is undecided after n pops, with a time that is no later than that of the hit.
+/// The oracle's budget is that of each of its searches.
 void check_budget(Draw& d) {
-  constexpr std::array kSearching = {"tdibm-c", "tdibm-rational", "tdibm-e", "tdibm", "trad"};
   constexpr SearchOptions kWhole = {0x1p-4, 60, SearchOptions().max_bytes};
-  const char* name = d.pick(kSearching);
+  const std::string name = d.pick(every_method_but({"oracle"}));
   const Case drawn = supposed(draw_contact(d, {}));
   const Answer whole = asked(d, name, drawn.query, kWhole);
   SearchOptions part = kWhole;
@@ -40,12 +40,9 @@ std::optional<MovingPatch<double>> child_of(const MovingPatch<double>& patch, in
 /// Also of rational patches, or of a part of one patch, whether it has the contact or not. Its
 /// boxes are within those of the patch, and come no slower.
 void check_not_early(Draw& d) {
-  if (d.choose(2) == 2) {
-    const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
-    return claim_not_early(name, draw_weighted_first_contact(d), d);
-  }
+  const std::string name = d.pick(claimants_but());
+  if (d.choose(2) == 2) return claim_not_early(name, draw_weighted_first_contact(d), d);
   const FirstContact drawn = draw_first_contact(d);
-  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
   if (d.coin()) return claim_not_early(name, drawn, d);
   Query of_part = drawn.query;
   MovingPatch<double>& patch = of_part.patches[d.choose(1)];
@@ -85,13 +82,14 @@ Query draw_alike(Draw& d) {
 /// It keeps what it has of parts: mostly, these are alike.
 void check_optimised(Draw& d) {
   constexpr SearchOptions kWhole = {0x1p-5, 100, SearchOptions().max_bytes};
-  constexpr std::array kPaper = {"tdibm", "tdibm-h:1e-12", "tdibm-h:1e-12@absolute", "tdibm-e",
-                                 "tdibm-e-literal"};
-  const std::string name = d.pick(kPaper);
+  std::vector<std::string> paper = every_method_but();
+  std::erase_if(paper, [](const auto& spec) { return !make_method(spec + kUnoptimised); });
+  const std::string name = draw_spec(d, paper);
+  suppose(make_method(name + kUnoptimised).has_value());
   const Query query =
       d.choose(7) != 0 ? draw_alike(d) : supposed(draw_contact(d, {-1000, 900, 3})).query;
   const Answer fast = asked(d, name, query, kWhole);
-  claim_same(fast, asked(d, name + std::string(kUnoptimised), query, kWhole));
+  claim_same(fast, asked(d, name + kUnoptimised, query, kWhole));
 }
 
 }  // namespace

@@ -66,9 +66,9 @@ class Draw {
   /// x moved up or down by at most `reach` floats. 0 is moved by as many multiples of 2^-60, since
   /// no rounding error of ordinary numbers is as small as a subnormal.
   double nudged(double x, int reach);
-  template <class T, std::size_t N>
-  const T& pick(const std::array<T, N>& from) {
-    return from[below(N)];
+  template <class From>
+  const auto& pick(const From& from) {
+    return from[below(from.size())];
   }
   /// Bytes, at most max_size of them: of stored numbers, one for each that is left. So nothing else
   /// is drawn after a text.

@@ -47,7 +47,7 @@ Case decided_with_little_effort(const Case& candidate) {
 std::string refutation_by_sound_methods(const Case& known) {
   const std::optional<Witness>& witness = known.truth.witness;
   if (witness && witness->t <= exact(known.query.t_max)) {
-    for (const char* method : kMissNothing) {
+    for (const std::string& method : miss_nothing()) {
       const auto made = value_or_throw(make_method(method));
       const Trace& trace = made->trace(known.query, *witness, {});
       if (!trace.lost) continue;
@@ -112,7 +112,7 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
     if (!confirmed) continue;
     fails = true;
     sound_fails = sound_fails || method == kOracle ||
-                  std::ranges::find(kMissNothing, method) != kMissNothing.end();
+                  std::ranges::find(miss_nothing(), method) != miss_nothing().end();
     ++tally_.failures;
     CCDFUZZ_TRY(const bool is_known, intake_.has(confirmed->failure));
     if (is_known) {

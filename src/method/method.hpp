@@ -95,7 +95,7 @@ struct MethodInfo {
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.
-inline constexpr std::string_view kUnoptimised = "@unoptimised";
+inline constexpr const char* kUnoptimised = "@unoptimised";
 
 /// A name behind '@' and what it means.
 struct MethodSwitch {
@@ -107,6 +107,14 @@ std::span<const MethodSwitch> method_switches();
 
 /// Every registered family, in the order of the tables, without plug-ins.
 const std::vector<MethodInfo>& registered_methods();
+
+/// A spec that makes a registered method, with a parameter where it takes one.
+std::string spec_of(const MethodInfo& info);
+/// That of each but those named. A list of those to ask would be forgotten where a method is
+/// added; one of those that are not asked says why.
+std::vector<std::string> every_method_but(const std::vector<std::string>& named = {});
+/// Those of them that claim to miss nothing.
+std::vector<std::string> claimants_but(const std::vector<std::string>& named = {});
 
 /// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is, once in the life of this
 /// program. Built-in methods need no admission. Nothing else starts a plug-in, so that files are

@@ -288,6 +288,27 @@ const std::vector<MethodInfo>& registered_methods() {
   return infos;
 }
 
+std::string spec_of(const MethodInfo& info) {
+  std::string spec = info.spec;
+  if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+  return spec;
+}
+
+std::vector<std::string> every_method_but(const std::vector<std::string>& named) {
+  std::vector<std::string> specs;
+  for (const MethodInfo& info : registered_methods()) {
+    const std::string spec = spec_of(info);
+    if (std::ranges::find(named, spec) == named.end()) specs.push_back(spec);
+  }
+  return specs;
+}
+
+std::vector<std::string> claimants_but(const std::vector<std::string>& named) {
+  std::vector<std::string> specs = every_method_but(named);
+  std::erase_if(specs, [](const std::string& spec) { return !claims_no_false_negative(spec); });
+  return specs;
+}
+
 Result<MethodInfo> method_info(const std::string& spec) {
   if (names_plugin(spec)) {
     return know_plugin(spec).map([](const auto& known) { return plugin_info(*known); });

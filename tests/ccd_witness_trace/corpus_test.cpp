@@ -29,7 +29,7 @@ TEST(Corpus, HasTracesThatLoseTheWitnessWhereAMethodMissesAndSoundOnesThatKeepIt
       EXPECT_GT(trace.false_claims, 0U) << spec;
       ++losses;
     }
-    for (const char* spec : kSound) {
+    for (const std::string& spec : kSound) {
       EXPECT_FALSE(tracer_of(spec)->trace(entry.query, *entry.truth.witness, options).lost) << spec;
     }
   }

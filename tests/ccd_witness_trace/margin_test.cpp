@@ -60,7 +60,7 @@ TEST(Margin, IsZeroBetweenTheWitnessAndTheNextDouble) {
 TEST(Margin, IsNothingWhereNothingIsExcluded) {
   Query query = meeting_points(1);
   query.patches[1] = query.patches[0];
-  for (const char* spec : kTraceable) {
+  for (const std::string& spec : every_method_but()) {
     const Trace trace = traced(spec, query, at_time(Rational(1, 2)));
     EXPECT_FALSE(trace.lost) << spec;
     EXPECT_FALSE(trace.margin) << spec;

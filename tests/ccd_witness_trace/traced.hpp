@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "ccd/witness_trace/trace.hpp"
 #include "generators/generate.hpp"
@@ -10,11 +10,9 @@
 
 namespace ccdfuzz {
 
-inline constexpr std::array kTraceable = {
-    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
-    "tdibm-e", "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
-/// Those whose miss is a proof, here and everywhere.
-inline constexpr std::array kSound = {"tdibm-rational", "tdibm-c"};
+/// Those whose miss is a proof everywhere; not the oracle, which is traced as tdibm-c.
+inline const std::vector<std::string> kSound =
+    claimants_but({"tdibm-e", "tdibm-e-literal", "oracle"});
 
 inline std::unique_ptr<Method> tracer_of(const std::string& spec) {
   return value_or_throw(make_method(spec));

@@ -8,20 +8,14 @@
 namespace ccdfuzz {
 namespace {
 
-/// The registered spec with its parameter, if it has one, made concrete.
-std::string concrete(const std::string& spec) {
-  const size_t parameter = spec.rfind(":F");
-  return parameter == std::string::npos ? spec : spec.substr(0, parameter) + ":1e-12";
-}
-
 /// Each switch is taken by the families that say so, alone and with all others, and still answers.
 TEST(Registry, SwitchesAreTakenInAnyOrder) {
   for (const MethodInfo& info : registered_methods()) {
-    std::string forth = concrete(info.spec), back = forth;
+    std::string forth = spec_of(info), back = forth;
     for (const std::string& name : info.switches) {
-      EXPECT_TRUE(make_method(fmt::format("{}@{}", concrete(info.spec), name))) << name;
+      EXPECT_TRUE(make_method(fmt::format("{}@{}", spec_of(info), name))) << name;
       forth += "@" + name;
-      back.insert(concrete(info.spec).size(), "@" + name);
+      back.insert(spec_of(info).size(), "@" + name);
     }
     for (const std::string& spec : {forth, back}) {
       const auto method = make_method(spec);
