@@ -3,7 +3,8 @@
 
 Each command of an `sh` block must end with exit code 0, or with the one in EXPECTED. Those in NOT_RUN are not run, for
 the reason given; a script that they name must be there. A block of another language after "Save this as `NAME`" is
-saved so. In the text each `ccdfuzz COMMAND --option` must be a command with that option.
+saved so. In the text each `ccdfuzz COMMAND --option` must be a command with that option, and each `ctest -R` must
+find tests.
 """
 import re
 import subprocess
@@ -110,6 +111,16 @@ def check_spans(text, ccdfuzz):
                 yield f'no option {option}: {span}'
 
 
+def check_patterns(text, build):
+    """What ctest is told to run: each alternative of a pattern is of some test."""
+    listed = subprocess.run(['ctest', '-N'], cwd=build, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    tests = re.findall(r'Test +#\d+: (\S+)', listed.stdout)
+    for pattern in re.findall(r"ctest\b[^`#]*?-R\s+('[^']*'|[\w.]+)", text):
+        for part in pattern.strip("'").split('|'):
+            if not any(re.search(part, test) for test in tests):
+                yield f'no test of ctest -R {part}'
+
+
 def main():
     name, ccdfuzz = sys.argv[1], Path(sys.argv[2]).resolve(strict=True)
     text = (ROOT / name).read_text()
@@ -119,7 +130,8 @@ def main():
         (folder / 'build/release/ccdfuzz').symlink_to(ccdfuzz)
         for part in ('src', 'examples', 'corpus', 'properties', 'tests', 'web'):
             (folder / part).symlink_to(ROOT / part)
-        failed = [*run_blocks(name, text, folder), *check_spans(text, ccdfuzz)]
+        failed = [*run_blocks(name, text, folder), *check_spans(text, ccdfuzz),
+                  *check_patterns(text, ccdfuzz.parent)]
     print(*(f'{name}: {what}' for what in failed), sep='\n')
     return 1 if failed else 0
 
