@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "bezier/bernstein.hpp"
 #include "bezier/trim_region.hpp"
@@ -186,14 +188,29 @@ Contact falling_point() {
   return q;
 }
 
+/// What programs judge by, not what a plug-in claims, which is checked when it starts.
+static void demand(const AnswerTerms& terms) {
+  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{
+           {"time_tolerance", terms.time_tolerance},
+           {"space_tolerance", terms.space_tolerance},
+           {"depth_tolerance", terms.depth_tolerance},
+           {"early_tolerance", terms.early_tolerance},
+           {"kept_separation", terms.kept_separation}}) {
+    if (value >= 0 && std::isfinite(value)) continue;
+    throw std::invalid_argument(fmt::format("{}: {} is not finite and at least 0", name, value));
+  }
+}
+
 Explained is_false_negative(const Contact& contact, const Answer& answer,
                             const AnswerTerms& terms) {
+  demand(terms);
   const Rational t = contact.t.rational();
   return {lets_through(contact.query.t_max, t, answer, terms),
           fmt::format("{}; they touch at t = {}", answer_text(answer), contact_text(t, terms))};
 }
 
 Explained is_wrong(const Case& known, const Answer& answer, const AnswerTerms& terms) {
+  demand(terms);
   const CheckedCase checked = checked_or_unknown(known);
   const Outcome outcome = outcome_of(checked, answer, terms, false);
   const std::optional<bool> collides = checked.collides();

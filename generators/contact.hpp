@@ -66,15 +66,16 @@ struct Explained {
 /// t + terms.time_tolerance. A hit at what is no time in [0, t_max], such as -1 or NaN, does so,
 /// too. Contacts at 0 and at t_max count unless the terms say that they do not. Never of what is
 /// undecided or refused. The reason has both times: "answered hit at 0.5 (0x1p-1); they touch at
-/// t = 0.25 (0x1p-2)".
+/// t = 0.25 (0x1p-2)". Errors: throws std::invalid_argument for a tolerance that is not finite or
+/// below 0.
 Explained is_false_negative(const Contact& contact, const Answer& answer,
                             const AnswerTerms& terms = {});
 
 /// True iff the answer is missed, late, a false positive or nonsense, by what of the case is proven
 /// (outcome_of). This serves all cases: with ends, with a separation, of bodies. The reason has the
 /// outcome, the answer and the proof: "missed: answered miss; contact by t = 0.25 (0x1p-2)". Only
-/// nonsense is wrong where the case proves nothing, or where what it says does not hold. Requires
-/// finite terms.
+/// nonsense is wrong where the case proves nothing, or where what it says does not hold. Errors: as
+/// is_false_negative.
 Explained is_wrong(const Case& known, const Answer& answer, const AnswerTerms& terms = {});
 
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.

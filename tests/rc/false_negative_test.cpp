@@ -34,6 +34,13 @@ TEST(FalseNegative, IsAHitAtNoTimeOfTheStep) {
   EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(1.125), terms));
 }
 
+TEST(FalseNegative, RefusesTermsThatAreNone) {
+  EXPECT_THROW(is_false_negative(falling_point(), Answer::miss(), {.time_tolerance = -1}),
+               std::invalid_argument);
+  EXPECT_THROW(is_wrong(case_of(falling_point()), Answer::hit(1), {.space_tolerance = NAN}),
+               std::invalid_argument);
+}
+
 TEST(FalseNegative, IsNothingThatDoesNotAnswer) {
   EXPECT_FALSE(is_false_negative(falling_point(), with(Verdict::kUndecided)));
   EXPECT_FALSE(is_false_negative(falling_point(), with(Verdict::kRefused)));
