@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "fuzz/mutator/mutate.hpp"
@@ -16,6 +18,24 @@ namespace {
 
 void demand(const Result<void>& valid, const char* generator) {
   if (!valid) throw std::invalid_argument(generator + (": " + valid.error().message()));
+}
+
+void demand(const Domain& promised, const char* generator) {
+  const char* const what = promised.plane ? "plane: is of bodies alone"
+                           : promised.initial_overlap && !promised.ordinary
+                               ? "initial_overlap: needs ordinary"
+                               : nullptr;
+  if (what != nullptr) throw std::invalid_argument(fmt::format("{}: {}", generator, what));
+}
+
+/// What of what is promised a contact breaks, also the order of its pairs; empty if nothing.
+std::string broken_by(const Domain& promised, const Contact& contact) {
+  const auto& [a, b] = contact.query.patches;
+  return promised.order_of(contact.query) == false
+             ? promised.broken_by(case_of(contact))
+             : fmt::format("takes {}, in this order, and this is {} and {}",
+                           fmt::join(promised.pair_texts(), ", "), to_text(a.shape),
+                           to_text(b.shape));
 }
 
 /// Whether patches of these shapes have contacts of the class.
@@ -67,6 +87,16 @@ ContactRange kept_to(const Domain& promised, ContactRange range) {
   return range;
 }
 
+/// Whether all contacts are of linear patches.
+bool are_linear(const ContactRange& range, const Domain& promised) {
+  if (range.shapes) return is_linear_pair((*range.shapes)[0], (*range.shapes)[1]);
+  return !promised.pairs.empty() &&
+         std::ranges::all_of(promised.pairs, [](const Domain::Pair& pair) {
+           const auto [a, b] = shapes_of(pair, [](int most) { return most; });
+           return is_linear_pair(a, b);
+         });
+}
+
 /// Draws a class anew after each contact that is not promised: there may be none of it that is.
 Contact drawn_contact(Draw& draw, const ContactRange& range, const Domain& promised) {
   int refused = 0;
@@ -102,18 +132,17 @@ rc::Gen<ChoiceNumbers> choices() {
 
 rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
   demand(validate(range), "gen::contact");
-  const bool of_any_shapes = promised.pairs.empty() && !range.shapes;
-  const int least_scale = of_any_shapes ? kLeastScaleOfAnyShapes : 1;
-  if (promised.scale && *promised.scale < least_scale) {
-    throw std::invalid_argument(fmt::format("gen::contact: scale: {} is not at least {}{}",
-                                            *promised.scale, least_scale,
-                                            of_any_shapes ? " for patches of any shapes" : ""));
+  demand(promised, "gen::contact");
+  const int least =
+      !promised.ordinary && are_linear(range, promised) ? kLeastLinearScale : kLeastScale;
+  if (promised.scale && *promised.scale < least) {
+    throw std::invalid_argument(
+        fmt::format("gen::contact: scale: {} is not at least {}", *promised.scale, least));
   }
   if (range.shapes && !promised.pairs.empty()) {
     throw std::invalid_argument(
         "gen::contact: shapes: are given, and so are pairs that are promised");
   }
-  if (promised.plane) throw std::invalid_argument("gen::contact: plane: is of bodies alone");
   for (const Domain::Pair& pair : promised.pairs) {
     ContactRange largest = range;
     largest.shapes = shapes_of(pair, [](int most) { return most; });
@@ -140,15 +169,16 @@ rc::Gen<Case> inverse() {
 }
 
 rc::Gen<Contact> mutant(const rc::Gen<Contact>& of, const Domain& promised) {
+  demand(promised, "gen::mutant");
   return rc::gen::map(rc::gen::tuple(of, of, choices()), [promised](const auto& parts) {
     const Contact &mother = std::get<0>(parts), &father = std::get<1>(parts);
+    if (const std::string why = broken_by(promised, mother); !why.empty()) {
+      throw std::invalid_argument("gen::mutant: a contact of `of` is not promised: " + why);
+    }
     Draw draw = Draw::from_numbers(std::get<2>(parts));
     try {
       return draw.until([&] { return mutate(mother, father, draw); },
-                        [&](const Contact& mutant) {
-                          return promised.order_of(mutant.query) == false &&
-                                 promised.broken_by(case_of(mutant)).empty();
-                        });
+                        [&](const Contact& mutant) { return broken_by(promised, mutant).empty(); });
     } catch (const Discarded&) {
       return mother;
     }

@@ -38,11 +38,12 @@ namespace gen {
 /// Two patches that touch: draw_contact. promised: the queries that the code promises to answer,
 /// of which alone contacts are drawn and shrunk. Its pairs, if any, are the shapes, in this order.
 /// Errors: throws std::invalid_argument if validate refuses the range, if both have shapes, and for
-/// a promised scale below 1. So it does for one below kLeastScaleOfAnyShapes where neither has
-/// shapes, since contacts with many control points hardly keep to it. The generator does so if
-/// kMostRefused contacts in a row are not promised.
+/// a promised scale below kLeastScale. For linear patches that need not be ordinary it takes
+/// kLeastLinearScale, too. At smaller ones some draws found nothing, at these none of 50 to 200.
+/// It refuses `plane`, and `initial_overlap` without `ordinary`. The generator throws if
+/// kMostRefused contacts in a row are not promised, as in a range of another scale.
 inline constexpr int kMostRefused = 2000;
-inline constexpr int kLeastScaleOfAnyShapes = 4;
+inline constexpr int kLeastScale = 5, kLeastLinearScale = 3;
 rc::Gen<Contact> contact(const ContactRange& range = {}, const Domain& promised = {});
 
 /// A case of the inverse construction, Steps I–VI, and its truth. The seed of the options is not
@@ -55,7 +56,8 @@ rc::Gen<Case> inverse();
 /// A contact with one to four moves that keep it (mutate): towards coincidences, other parameters,
 /// higher degrees, parts of a second contact. promised: the queries that the code promises to
 /// answer, in which mutants of such contacts stay. Where none of those tried does, it is the
-/// contact itself.
+/// contact itself. Errors: throws std::invalid_argument for `plane`, and for `initial_overlap`
+/// without `ordinary`. The generator does so if a contact of `of` is not promised.
 rc::Gen<Contact> mutant(const rc::Gen<Contact>& of, const Domain& promised = {});
 
 /// The spec of a registered method that the filter takes, for make_method; of "tdibm-h:F" with F

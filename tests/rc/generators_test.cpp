@@ -157,21 +157,33 @@ TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
   EXPECT_EQ(refusal_of({.lowest = 30, .highest = 30}, promised),
             "gen::contact: none of 2000 contacts of this range keeps to: within 2^±7, ordinary "
             "queries alone");
-  promised.scale = 0;
-  EXPECT_EQ(refusal_of({}, promised), "gen::contact: scale: 0 is not at least 1");
+  promised.scale = 4;
+  EXPECT_EQ(refusal_of({}, promised), "gen::contact: scale: 4 is not at least 5");
   Domain narrow;
   narrow.scale = 3;
-  EXPECT_EQ(refusal_of({}, narrow),
-            "gen::contact: scale: 3 is not at least 4 for patches of any shapes");
+  EXPECT_EQ(refusal_of({}, narrow), "gen::contact: scale: 3 is not at least 5");
   narrow.pairs = linear_pairs();
   EXPECT_EQ(refusal_of({}, narrow), "");
+  narrow.scale = 2;
+  EXPECT_EQ(refusal_of({}, narrow), "gen::contact: scale: 2 is not at least 3");
   promised.scale.reset();
   EXPECT_EQ(refusal_of({.shapes = {{Shape::point(), Shape::point()}}}, promised),
             "gen::contact: shapes: are given, and so are pairs that are promised");
   EXPECT_EQ(refusal_of({}, {.plane = true}), "gen::contact: plane: is of bodies alone");
+  EXPECT_EQ(refusal_of({}, {.initial_overlap = true}),
+            "gen::contact: initial_overlap: needs ordinary");
   promised.pairs[0][1].max_degree = 9;
   EXPECT_EQ(refusal_of({}, promised),
             "gen::contact: shapes: triangle(9) is no patch of degrees from 1 to 8");
+}
+
+TEST(RcGenerators, RefuseToMutateWhatIsNotPromised) {
+  Domain promised;
+  promised.pairs = linear_pairs();
+  const auto mutants = gen::mutant(rc::gen::just(falling_point()), promised);
+  EXPECT_EQ(complaint_of([&] { mutants(rc::Random(1), 100).value(); }),
+            "gen::mutant: a contact of `of` is not promised: takes point and triangle(1), "
+            "curve(1) and curve(1), in this order, and this is point and curve(1)");
 }
 
 TEST(RcGenerators, SayWhatIsWrongWithOptions) {
