@@ -25,8 +25,8 @@ Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exp
 
 /// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
 Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
-/// The same, where each is as likely as any other. The bits of a choice are the parameter's, lowest
-/// first: so a parameter has few bits, and is not a small one, where its choice was shrunk.
+/// The same with parameters below 1, of a triangle folded at u + v = 1; ends are rare. The lowest
+/// bit of a choice is the parameter's highest. So a shrunk choice is a parameter of few bits.
 Uv<Dyadic> draw_fine_uv(Draw& choices, const Shape& shape, int bits);
 
 /// A cell of this depth; below 1, all of the patch.

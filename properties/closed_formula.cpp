@@ -181,10 +181,11 @@ bool ClosedFormula::is_within(const Rational& distance, const Rational& t) const
   return dot(at, at) <= most * most;
 }
 
-ClosedFormula draw_closed_formula(bool separation, Draw& draw) {
-  const Core first = draw.pick(std::array{Core::kPoint, Core::kLine, Core::kRing});
-  std::array<Piece, 2> pieces = {draw_round_piece(first, draw), {}};
-  pieces[1] = draw_other_piece(first, draw);
+ClosedFormula draw_closed_formula(bool separation, bool of_point, Draw& draw) {
+  const Core first =
+      of_point ? Core::kLine : draw.pick(std::array{Core::kPoint, Core::kLine, Core::kRing});
+  std::array<Piece, 2> pieces = {draw_round_piece(first, draw), {Core::kPoint}};
+  if (!of_point) pieces[1] = draw_other_piece(first, draw);
   const WholeFrame frame = draw_right_angles(draw);
   pieces[0].frame = {{25 * frame.axes[0], 25 * frame.axes[1], 25 * frame.axes[2]},
                      25 * frame.length};
@@ -199,10 +200,10 @@ ClosedFormula draw_closed_formula(bool separation, Draw& draw) {
   const std::int64_t gap = separation ? draw.integer(1, 1000) : 0;
   const std::int64_t reach = pieces[0].height() + pieces[1].height() + gap;
   const std::int64_t aside = draw.choose(3) == 3 ? 2 * reach : reach / 2;
-  // Head-on, or not.
-  Whole way = draw.coin() ? Whole{} : any_whole(draw, aside);
+  const bool head_on = of_point || draw.coin();
+  Whole way = head_on ? Whole{} : any_whole(draw, aside);
   way[2] = reach + draw.integer(1, 1000);
-  Whole rate = draw.coin() ? Whole{} : any_whole(draw, 300);
+  Whole rate = head_on ? Whole{} : any_whole(draw, 300);
   rate[2] = -draw.integer(100, 1500);
   const Whole common = draw.coin() ? Whole{} : any_whole(draw, 500);
   const Whole place = draw.coin() ? Whole{} : any_whole(draw, 5000);

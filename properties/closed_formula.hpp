@@ -31,7 +31,8 @@ struct ClosedFormula {
 
 /// Lengths and velocities are whole numbers times a power of two. Patches are an eighth of a sphere
 /// and more, or such parts of other surfaces. Discarded: surfaces that touch at t = 0, or elsewhere
-/// than inside the patches. separation: they are to come as near as that.
-ClosedFormula draw_closed_formula(bool separation, Draw& draw);
+/// than inside the patches. separation: they are to come as near as that. of_point: a cylinder that
+/// meets a point head-on, which some methods miss.
+ClosedFormula draw_closed_formula(bool separation, bool of_point, Draw& draw);
 
 }  // namespace ccdfuzz

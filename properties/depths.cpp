@@ -108,7 +108,8 @@ void check_depth_of_boxes(Draw& d) {
   }
 }
 
-/// Turns an arm about z, evenly or nearly so, by a quaternion. Returns the angle at t, in [0, 1].
+/// Turns an arm about z: evenly by a spin, or nearly so by a quaternion. Returns the angle at t, in
+/// [0, 1].
 double turn_arm(Draw& d, double t, BodyTurn& turn) {
   if (d.coin()) {
     const int speed = d.integer(1, 8);

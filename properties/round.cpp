@@ -54,8 +54,8 @@ void claim_answers(Draw& d, const Query& query, const FirstTouch& touch) {
 
 /// A formula with a query that ends before the first touch or after it, by 2^-40 of its time or
 /// more.
-ClosedFormula draw_formula(Draw& d, bool separation) {
-  ClosedFormula drawn = draw_closed_formula(separation, d);
+ClosedFormula draw_formula(Draw& d, bool separation, bool of_point = false) {
+  ClosedFormula drawn = draw_closed_formula(separation, of_point, d);
   if (!drawn.times) return drawn;
   const bool before = d.coin();
   const double share = std::ldexp(1.0, -d.integer(1, 40));
@@ -75,7 +75,7 @@ void check_formula(Draw& d) {
 /// A method that has no proof, coarsely: boxes are 64 times as large.
 std::function<void(Draw&)> keeps_formulas(const std::string& method) {
   return [=](Draw& d) {
-    const ClosedFormula drawn = draw_formula(d, false);
+    const ClosedFormula drawn = draw_formula(d, false, d.coin());
     const auto may_hit = [&](const Rational& toi) {
       return drawn.is_within(64 * drawn.slack, toi);
     };

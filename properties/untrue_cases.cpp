@@ -129,7 +129,7 @@ void check_completed(Draw& d) {
   const auto after = [&](const Rational& t) {
     return contact ? contact->sign_of(linear::Polynomial({-t.get_num(), t.get_den()})) : 1;
   };
-  // Proofs are refuted soon up to where a contact is at a number of eighths.
+  // A contact at a number of eighths refutes proofs up to a later time quickly.
   const bool is_known = !contact || contact->is_rational();
   const Rational until =
       (contact ? contact->lo() : t_max) * 8 / static_cast<long>(d.integer(is_known ? 4 : 9, 16));

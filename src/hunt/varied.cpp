@@ -90,6 +90,7 @@ std::optional<Query> before_touch(const Case& near, const HuntGround& ground, Dr
   const double last =
       touch->truth.collides == true ? touch->truth.contact_by()->get_d() : near.query.t_max;
   const double way = last - first;
+  if (first <= 0 || way <= 0) return std::nullopt;
   const double from = std::max(0.0, first - std::ldexp(way, draw.integer(0, 6)));
   Query out = near.query;
   out.t_max = first + 0.75 * way - from;
@@ -128,7 +129,9 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
     if (!are_bodies) fit(apart, ground);
     apart.separation = rounded_down(kept * (1 - 0x1p-10));
   } else {
-    const int size = std::ilogb(largest_coordinate(apart)) - draw.integer(5, 12);
+    const double largest = largest_coordinate(apart);
+    if (largest == 0) return std::nullopt;
+    const int size = std::ilogb(largest) - draw.integer(5, 12);
     apart.separation = std::ldexp(4 + draw.integer(0, 3), size);
   }
   std::optional<Case> made = decided_case(apart);

@@ -234,7 +234,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::string name = text.substr(0, repeated);
     const CLI::Option* option = command.get_option_no_throw(name);
     const bool is_list =
-        option != nullptr && option->get_description().find("commas") < std::string::npos;
+        option != nullptr && option->get_description().find("comma") < std::string::npos;
     return name + ": is given more than once" + (is_list ? "; several go with commas between" : "");
   }
   constexpr std::string_view kMissing = ": 1 required ";

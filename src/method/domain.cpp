@@ -66,7 +66,7 @@ bool is_of_scale(const Query& query, int scale) {
   return is_within_scale(touching, scale);
 }
 
-/// "1 (radius > 0)", "4 to 8 (radius 0)", "4 or more".
+/// "1 point (radius > 0)", "4 to 8 points (radius 0)", "4 or more points".
 std::string points_text(const BodyKind& kind) {
   std::string text = fmt::format("{}", kind.least_points);
   if (kind.most_points >= kMaxControls) {
@@ -75,7 +75,8 @@ std::string points_text(const BodyKind& kind) {
     text += fmt::format(" to {}", kind.most_points);
   }
   constexpr std::array kRadii = {"", " (radius 0)", " (radius > 0)"};
-  return text + kRadii[static_cast<size_t>(kind.radius)];
+  return text + (kind.most_points == 1 ? " point" : " points") +
+         kRadii[static_cast<size_t>(kind.radius)];
 }
 
 }  // namespace
@@ -190,7 +191,7 @@ std::string Domain::text() const {
   if (!body_kinds.empty()) {
     std::vector<std::string> kinds;
     for (const BodyKind& kind : body_kinds) kinds.push_back(points_text(kind));
-    rules.push_back(fmt::format("bodies of {} points", fmt::join(kinds, " or ")));
+    rules.push_back(fmt::format("bodies of {}", fmt::join(kinds, " or ")));
   }
   if (small_spins) rules.emplace_back("spins by π/4 at most");
   if (ordinary) rules.emplace_back("ordinary queries alone");

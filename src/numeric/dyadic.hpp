@@ -14,9 +14,9 @@ namespace ccdfuzz {
 class Dyadic {
  public:
   Dyadic() = default;
-  Dyadic(int m) : Dyadic(Integer(m), 0) {}  // NOLINT: integers convert as in any number type
-  template <std::floating_point Real>
-  Dyadic(Real) = delete;  // `exact` is for these
+  /// Integers convert as in any number type; floating-point numbers do not.
+  template <std::integral Whole>
+  Dyadic(Whole m) : Dyadic(Integer(m), 0) {}  // NOLINT: see above
   Dyadic(Integer m, long k) : m_(std::move(m)), k_(k) { normalise(); }
 
   /// The exact value of a finite double, which does not convert by itself.
