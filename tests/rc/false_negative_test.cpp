@@ -37,9 +37,8 @@ TEST(FalseNegative, IsAHitAtNoTimeOfTheStep) {
 TEST(FalseNegative, RefusesTermsThatAreNone) {
   EXPECT_THROW(is_false_negative(falling_point(), Answer::miss(), {.time_tolerance = -1}),
                std::invalid_argument);
-  EXPECT_THROW(
-      is_wrong(case_of(falling_point()), Answer::hit(1), {.space_tolerance = std::nan("")}),
-      std::invalid_argument);
+  EXPECT_THROW(is_wrong(case_of(falling_point()), {}, {.space_tolerance = std::nan("")}),
+               std::invalid_argument);
 }
 
 TEST(FalseNegative, IsNothingThatDoesNotAnswer) {
