@@ -138,11 +138,16 @@ std::vector<std::string> texts_between(const std::string& text, char mark) {
   return texts;
 }
 
-std::string depth_text(double depth, double tolerance) {
-  if (!(depth > 0)) return "";
-  const std::string text = fmt::format(", {:.2g} deep", depth);
-  if (!(tolerance > 0) || depth < tolerance) return text;
-  return text + fmt::format(", {:.2g} times the tolerance", depth / tolerance);
+std::string beside_tolerance(double size, const char* what, double tolerance) {
+  const auto rounded = [](double x) {
+    constexpr size_t kTwoDigits = 3;                     // and the point
+    const std::string text = fmt::format("{:.11e}", x);  // without what doubles are off by
+    return std::stod(text.substr(0, kTwoDigits) + text.substr(text.find('e')));
+  };
+  if (!(size > 0)) return "";
+  const std::string text = fmt::format(", {:g} {}", rounded(size), what);
+  if (!(tolerance > 0) || size < tolerance) return text;
+  return text + fmt::format(", {:g} times the tolerance", rounded(size / tolerance));
 }
 
 std::string shell_word(const std::string& text) {

@@ -28,9 +28,9 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 /// The parts of a text between its commas, or other marks; for an empty text one empty part.
 std::vector<std::string> texts_between(const std::string& text, char mark = ',');
 
-/// ", 0.031 deep, 310 times the tolerance" in space, where it is above 0 and no larger than the
-/// depth; empty for a depth of 0.
-std::string depth_text(double depth, double tolerance);
+/// ", 0.031 deep, 310 times the tolerance" in space, where that is above 0 and no larger than the
+/// size; empty for a size of 0. Rounded down, as a size is proven at least, but for errors of doubles.
+std::string beside_tolerance(double size, const char* what, double tolerance);
 
 /// The text as one word of a shell's command line.
 std::string shell_word(const std::string& text);

@@ -92,18 +92,17 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
-/// Whether two bodies are apart by more than the tolerance beyond their radii and the separation.
-/// gap: of their hulls along the normal, times its length.
-bool is_far(const Query& query, const Rational& gap, const Vec3<Rational>& normal,
-            double tolerance) {
-  const Rational least = exact(query.separation) + exact(tolerance) +
-                         exact(query.patches[0].radius) + exact(query.patches[1].radius);
-  return gap > 0 && gap * gap > least * least * dot(normal, normal);
+/// How far two bodies are apart beyond their radii and the separation, at least. gap: of their
+/// hulls along the normal, times its length. At most 0 where they are not shown to be.
+double apart(const Query& query, const Rational& gap, const Vec3<Rational>& normal) {
+  if (gap <= 0) return 0;
+  const double hulls = next_down(std::sqrt(round_down(gap * gap / dot(normal, normal))));
+  return round_down(exact(hulls) - exact(query.separation) - exact(query.patches[0].radius) -
+                    exact(query.patches[1].radius));
 }
 
-/// Whether the direction that keeps two bodies apart shows them that far from each other at t.
-bool are_far(const Query& query, const BodyClearance& clearance, const Rational& t,
-             double tolerance) {
+/// The same at t, by the direction that keeps them apart.
+double apart(const Query& query, const BodyClearance& clearance, const Rational& t) {
   const auto& n = clearance.normal;
   const Vec3<Rational> normal(n[0], n[1], n[2]);
   std::array<std::vector<Rational>, 2> heights;
@@ -112,23 +111,22 @@ bool are_far(const Query& query, const BodyClearance& clearance, const Rational&
       heights[s].push_back(dot(normal, p));
     }
   }
-  const Rational gap =
-      *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]);
-  return is_far(query, gap, normal, tolerance);
+  return apart(query, *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]),
+               normal);
 }
 
-/// The same of each face of a mesh that is there.
-bool are_far(const Query& query, const MeshClearance& clearance, const Rational& t,
-             double tolerance) {
+/// The same of the nearest face of a mesh that is there.
+double apart(const Query& query, const MeshClearance& clearance, const Rational& t) {
+  double least = std::numeric_limits<double>::infinity();
   const std::vector<size_t> there = faces_there(query);
   for (size_t n = 0; n < there.size(); ++n) {
-    if (!are_far(of_face(query, there[n]), nth_of(clearance, n), t, tolerance)) return false;
+    least = std::min(least, apart(of_face(query, there[n]), nth_of(clearance, n), t));
   }
-  return true;
+  return least;
 }
 
 /// The same by the gap of the plane that is between them at t.
-bool are_far(const Query& query, const BodyPlanes& clearance, const Rational& t, double tolerance) {
+double apart(const Query& query, const BodyPlanes& clearance, const Rational& t) {
   const auto next = std::ranges::upper_bound(clearance.planes, t, {}, &BodyPlanes::Plane::from);
   const BodyPlanes::Plane& plane = *std::prev(next);
   const Rational until = next == clearance.planes.end() ? clearance.until : next->from;
@@ -139,13 +137,13 @@ bool are_far(const Query& query, const BodyPlanes& clearance, const Rational& t,
     const Rational& from = plane.normals[0][k];
     normal[k] = from + share * (plane.normals[1][k] - from);
   }
-  return is_far(query, plane.gap, normal, tolerance);
+  return apart(query, plane.gap, normal);
 }
 
 /// What is no certificate of bodies does not show it.
 template <class Other>
-bool are_far(const Query&, const Other&, const Rational&, double) {
-  return false;
+double apart(const Query&, const Other&, const Rational&) {
+  return 0;
 }
 
 }  // namespace
@@ -201,12 +199,7 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   }
   if (compare(terms.space_tolerance, 0) > 0) {
     if (is_of_bodies(query)) {
-      const bool are_shown_far = std::visit(
-          [&](const auto& shown) {
-            return are_far(query, shown, exact(*answer.toi), terms.space_tolerance);
-          },
-          *known.clearance());
-      if (!are_shown_far) return Outcome::kUnknown;
+      if (apart_at(known, *answer.toi) <= terms.space_tolerance) return Outcome::kUnknown;
     } else {
       if (!answer.has_uv) return Outcome::kUnknown;
       if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
@@ -216,6 +209,11 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
     return Outcome::kUnknown;
   }
   return Outcome::kFalsePositive;
+}
+
+double apart_at(const CheckedCase& known, double t) {
+  return std::visit([&](const auto& shown) { return apart(known.query(), shown, exact(t)); },
+                    *known.clearance());
 }
 
 double delay_of(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {

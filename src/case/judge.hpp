@@ -38,7 +38,7 @@ struct AnswerTerms {
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
 ///                   at uv and toi are farther apart than the space tolerance (a uv outside of the
 ///                   domain is moved to its edge), or the certificate of bodies shows that they
-///                   are: its direction, or the gap of its plane at toi. With an early tolerance,
+///                   are (apart_at). With an early tolerance,
 ///                   absence is proven for so long after toi, too
 ///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
 ///                   them. Or a hit may come within the early tolerance before a contact, or it has
@@ -68,6 +68,10 @@ std::optional<Approach> approach_of(const Case& value);
 std::optional<Rational> nearer_since(const CheckedCase& known, const AnswerTerms& terms,
                                      const Rational& before);
 
+/// How far bodies are apart at t beyond their radii and the separation, as the clearance that they
+/// have shows: a lower bound, at most 0 where it shows nothing. Requires one that covers t ≥ 0.
+double apart_at(const CheckedCase& known, double t);
+
 /// An answer and how it stands against its truth.
 struct Judged {
   Answer answer;
@@ -81,6 +85,8 @@ struct Judged {
   /// they pass through each other in the time that is overlooked, at least.
   double depth = 0;
   AnswerTerms terms = {};  ///< of the answer
+  /// For a false positive of bodies: as of apart_at.
+  double apart = 0;
 
   /// What a row of JSON says of it, behind the case and the method. Written only.
   static void fields(auto& archive, const Judged& judged) {
@@ -92,6 +98,7 @@ struct Judged {
     archive("outcome", judged.outcome);
     archive.optional("late_by", judged.late_by);
     archive.optional("depth", judged.depth);
+    archive.optional("apart", judged.apart);
     if (is_false_negative(judged.outcome)) {
       archive.optional("depth_tolerance", judged.terms.depth_tolerance);
       archive.optional("time_tolerance", judged.terms.time_tolerance);

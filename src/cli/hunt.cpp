@@ -65,7 +65,7 @@ std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
   std::ranges::sort(finds, {}, [](const Find* find) {
     const Failure& failure = find->failure;
     return std::tuple(!breaks_claim(failure), failure.outcome == Outcome::kFalsePositive,
-                      failure.setting, -find->judged.depth, find);
+                      failure.setting, -find->judged.depth, -find->judged.apart, find);
   });
   return finds;
 }
@@ -96,9 +96,10 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
     }
     group = breaks;
     std::string text = std::filesystem::path(find.path).filename().string();
-    text += depth_text(find.judged.depth, find.judged.terms.depth_tolerance);
+    text += wrong_by(find.judged);
     const double late_by = find.judged.late_by;
     if (late_by > 0) text += fmt::format(", late by {:.2g}", late_by);
+    if (find.cut_short) text += ", not minimised to the end";
     const std::vector<std::string>& classes = others.at(alike(find));
     if (!classes.empty()) {
       text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
@@ -171,7 +172,9 @@ void print_report_json(const HuntReport& report) {
       row("breaks_claim", breaks_claim(find.failure));
       row.optional("depth", find.judged.depth);
       row.optional("depth_tolerance", find.judged.terms.depth_tolerance);
+      row.optional("apart", find.judged.apart);
       row.optional("late_by", find.judged.late_by);
+      row.optional("cut_short", find.cut_short);
       row("kind", find.value.origin.kind);
       row("generator", find.value.origin.generator);
       row("expect", find.value.expect);

@@ -70,7 +70,7 @@ std::vector<TableCell> query_cells(const std::string& method, const Judged& judg
   // An answer that is nonsense has a verdict that is judged; a crash or a hang is none.
   const bool is_answered = !(judged.outcome == Outcome::kError && judged.error != "nonsense");
   std::string outcome = to_text(judged.outcome, judged.late_by);
-  outcome += depth_text(judged.depth, judged.terms.depth_tolerance);
+  outcome += wrong_by(judged);
   return {{marked(method)},
           {is_answered ? std::string(name_of(answer.verdict)) + at : judged.error},
           {outcome, bad},

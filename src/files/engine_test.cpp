@@ -320,7 +320,7 @@ std::string origin_text(const Case& value, std::string_view engine, double toler
       std::ranges::all_of(version->second, [](char c) { return ' ' <= c && c <= '~'; });
   if (!is_plain) return "";
   return fmt::format("// Found with version {}{}.\n", version->second,
-                     depth_text(said_of(origin, "depth"), tolerance));
+                     beside_tolerance(said_of(origin, "depth"), "deep", tolerance));
 }
 
 }  // namespace

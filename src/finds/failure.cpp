@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/text.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/checker/check_case.hpp"
 #include "io/hash_name.hpp"
@@ -144,6 +145,11 @@ Change change_of(const Expected& expected, const Expected& got) {
   return before < now ? Change::kRegression : Change::kImprovement;
 }
 
+std::string wrong_by(const Judged& judged) {
+  return beside_tolerance(judged.depth, "deep", judged.terms.depth_tolerance) +
+         beside_tolerance(judged.apart, "apart", judged.terms.space_tolerance);
+}
+
 std::string to_text(const Expected& expected, double late_by) {
   std::string text(expected.outcome == Outcome::kNotAsked ? "not asked"
                                                           : name_of(expected.outcome));
@@ -165,7 +171,7 @@ std::string cause_of_loss(const std::string& method, const Case& value) {
 }
 
 Judged Asker::ask_how_deep(const Failure& failure, const CheckedCase& known) {
-  if (!is_false_negative(failure.outcome)) return {};
+  if (failure.outcome == Outcome::kError) return {};
   Judged judged = ask(failure.who, known);
   judged.depth = depth_of(known, judged).value_or(0);
   return judged;

@@ -64,6 +64,9 @@ std::string file_stem(const Failure& failure);
 /// "missed (left root)", "late by 0.25 (right root)", "not asked".
 std::string to_text(const Expected& expected, double late_by = 0);
 
+/// How deep a miss or late hit of bodies is, or how far a false positive (beside_tolerance).
+std::string wrong_by(const Judged& judged);
+
 /// The result of an expectation.
 enum class Change : std::uint8_t {
   kNone,
@@ -122,7 +125,8 @@ class Asker {
     return ccdfuzz::ask(methods_[method], known, search);
   }
 
-  /// What failed so is asked again. The depth of a miss or late hit is measured, too (depth_of).
+  /// What failed so, in no error, is asked again. The depth of a miss or late hit is measured, too
+  /// (depth_of).
   Judged ask_how_deep(const Failure& failure, const CheckedCase& known);
 
   /// What an entry expects of a method that answered so about its case. It is the outcome with its

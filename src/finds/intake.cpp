@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/no_process.hpp"
+#include "base/stopwatch.hpp"
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
 #include "io/in_order.hpp"
@@ -178,17 +179,21 @@ size_t Intake::count() const {
       std::ranges::count_if(kept_, [](const auto& kept) { return kept.second.is_new(); }));
 }
 
-/// Minimises a new find, measures it, and asks all methods about it.
-void Intake::complete(Find& find, Asker& asker, const Finish& how) {
+/// Minimises a new find for at most so long, measures it, and asks all methods about it.
+void Intake::complete(Find& find, Asker& asker, const Finish& how, double seconds) {
   const Failure& failure = find.failure;
+  const Stopwatch watch;
+  const auto is_over = [&] { return how.stop || watch.seconds() > seconds; };
   if (how.shrinks(failure)) {
-    find.value = minimise(find.value, failure, asker, how.minimising).value;
+    find.value =
+        minimise(find.value, failure, asker, {.stop = is_over, .admits = how.admits}).value;
+    find.cut_short = is_over();
   }
   const CheckedCase known = checked_or_unknown(find.value);
   find.judged = asker.ask_how_deep(failure, known);
   say_version(find.value, failure.who, find.judged);
   const Expected shown{failure.outcome, failure.cause};
-  find.differs = !how.minimising.stop() && asker.differs(failure.who, known, shown, asker.search());
+  find.differs = !is_over() && asker.differs(failure.who, known, shown, asker.search());
   if (!find.differs) find.value.origin.more.erase(kNote);
   asker.ask_others(find.value, how.methods);
 }
@@ -206,8 +211,9 @@ Result<void> Intake::finish(const Finish& how) {
       tasks.size(), how.threads,
       [&](size_t i) {
         Find find = std::move(tasks[i]);
+        const double share = how.threads / static_cast<double>(tasks.size() - i);
         try {
-          complete(find, askers.local(), how);
+          complete(find, askers.local(), how, share * how.seconds_left());
         } catch (const NoProcess&) {
           if (!how.stop) throw;
         }

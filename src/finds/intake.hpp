@@ -19,9 +19,10 @@ struct Find {
   std::string path = {};  ///< where it is; empty if it could not be stored
   Case value = {};        ///< with its expectations
   bool is_new = false;    ///< found by this run; else it was there before, or a smaller one was
-  Judged judged = {};     ///< the answer to a new one that misses or is late, with its depth_of
+  Judged judged = {};     ///< the answer to a new one that is no error, with its depth_of
   /// The method shows something else of a new one, asked again (Asker::differs).
   bool differs = false;
+  bool cut_short = false;  ///< there was no time to minimise it to the end
 };
 
 /// The finds of one run on their way into a store. The smallest of each failure is kept in memory,
@@ -72,9 +73,11 @@ class Intake {
 
   struct Finish {
     int threads = 1;
-    /// Whether to minimise the find of a failure, and how.
+    /// Whether to minimise the find of a failure; and what it stays within, as MinimiseOptions.
     std::function<bool(const Failure&)> shrinks;
-    MinimiseOptions minimising;
+    std::function<bool(const Case&)> admits;
+    /// For all of them. Each find gets an equal share of what is left when its turn comes.
+    std::function<double()> seconds_left;
     /// The methods that each find is to say what it expects of.
     std::vector<std::string> methods;
     /// True ends it.
@@ -101,7 +104,7 @@ class Intake {
   };
 
   void keep(Find find, Rank rank);
-  static void complete(Find& find, Asker& asker, const Finish& how);
+  static void complete(Find& find, Asker& asker, const Finish& how, double seconds);
   Result<void> store_kept();
   Result<Store::Put> put(const Failure& failure, const Case& find, const AskAgain& again = nullptr);
   Result<Store::Put> put_aside(const NamedCase& entry, const Failure& failure);

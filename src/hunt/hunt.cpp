@@ -330,17 +330,17 @@ class Hunt {
   Result<void> finish() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
                                         : watch_.seconds() + std::max(options_.seconds, 20.0);
-    const auto is_too_late = [this, until] { return stop_ || watch_.seconds() > until; };
     const auto shrinks = [&](const Failure& failure) {
-      return !is_too_late() && (options_.shrink == Shrink::kAll ||
-                                (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
+      return options_.shrink == Shrink::kAll ||
+             (options_.shrink == Shrink::kPlugins && names_plugin(failure.who));
     };
     const auto admits = [this](const Case& value) {
       return options_.ground.broken_by(value).empty();
     };
     return intake_.finish({.threads = options_.threads,
                            .shrinks = shrinks,
-                           .minimising = {.stop = is_too_late, .admits = admits},
+                           .admits = admits,
+                           .seconds_left = [&] { return until - watch_.seconds(); },
                            .methods = options_.methods,
                            .stop = stop_});
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "base/no_process.hpp"
@@ -81,8 +82,10 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
                       answer.terms.kept_separation, since->get_d());
     }
   }
+  const bool is_far = outcome == Outcome::kFalsePositive && is_of_bodies(known.query());
+  const double apart = is_far ? std::max(0.0, apart_at(known, *answer.toi)) : 0;
   const char* const error = outcome == Outcome::kError ? "nonsense" : "";
-  return {answer, outcome, error, late_by, 0, answer.terms};
+  return {answer, outcome, error, late_by, 0, answer.terms, apart};
 }
 
 }  // namespace ccdfuzz
