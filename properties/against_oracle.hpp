@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// Those that claim to miss nothing, wherever numbers are; without the oracle, which judges them.
+/// Those that are proven to miss nothing; without the oracle, which judges them.
 const std::vector<std::string>& miss_nothing();
 
 /// A query with what the oracle proves of it within budgets that take milliseconds. max_pops: of

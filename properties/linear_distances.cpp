@@ -227,7 +227,7 @@ void check_toi_after_start(Draw& d) {
   }
   suppose(is_valid(query));
   const Rational squared = exact(query.separation) * exact(query.separation);
-  const std::string method = d.pick(claimants_but({"tdibm-e", "tdibm-e-literal"}));
+  const std::string method = d.pick(every_method_but({}, &MethodInfo::claim_is_proven));
   const Answer answer = asked(d, method, query, {.max_pops = 1000});
   CLAIM(start > squared || answer.verdict != Verdict::kMiss);
   if (answer.verdict != Verdict::kHit) return;

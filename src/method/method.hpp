@@ -90,6 +90,9 @@ struct MethodInfo {
   /// The switches that may follow a spec after '@', each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
   Features features = {};
+  /// Its claim holds of all queries that it takes. That of tdibm-e is false where products under-
+  /// or overflow, that of tdibm-e-literal anywhere.
+  bool claim_is_proven = false;
   Domain domain = {};
   std::string version = {};  ///< what a plug-in says of it; else empty
 };
@@ -110,11 +113,10 @@ const std::vector<MethodInfo>& registered_methods();
 
 /// A spec that makes a registered method, with a parameter where it takes one.
 std::string spec_of(const MethodInfo& info);
-/// That of each but those named. A list of those to ask would be forgotten where a method is
-/// added; one of those that are not asked says why.
-std::vector<std::string> every_method_but(const std::vector<std::string>& named = {});
-/// Those of them that claim to miss nothing.
-std::vector<std::string> claimants_but(const std::vector<std::string>& named = {});
+/// That of each but those named, and those without the mark. A list of those to ask would be
+/// forgotten where a method is added; one of those that are not asked says why.
+std::vector<std::string> every_method_but(const std::vector<std::string>& named = {},
+                                          bool MethodInfo::*mark = nullptr);
 
 /// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is, once in the life of this
 /// program. Built-in methods need no admission. Nothing else starts a plug-in, so that files are

@@ -172,6 +172,7 @@ const std::vector<Family>& families() {
   const std::vector<std::string> bounded = {"unoptimised", "unit-axes", "count-pairs"};
   // Sub-patches with their weights divided out are as good as others.
   constexpr Features kDivided = {.weights = true, .trims = true};
+  constexpr bool kProven = true;
   static const std::vector<Family> all = {
       traditional_family(
           {"trad", kSnyder,
@@ -199,17 +200,18 @@ const std::vector<Family>& families() {
           error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
           {"tdibm-rational", "this project",
-           "tdibm decided in exact arithmetic, rounded only outward", true, none, kPatchFeatures},
+           "tdibm decided in exact arithmetic, rounded only outward", true, none, kPatchFeatures,
+           kProven},
           no_parts),
-      family<TdibmC, CertifiedTracer>(
-          {"tdibm-c", "src/ccd/certified/DERIVATION.md",
-           "ours: separation certified at both ends of a window", true, none, kPatchFeatures},
-          no_parts),
+      family<TdibmC, CertifiedTracer>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
+                                       "ours: separation certified at both ends of a window", true,
+                                       none, kPatchFeatures, kProven},
+                                      no_parts),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
           {"oracle", "src/certify/oracle/oracle.hpp",
            "ours: says nothing that an independent checker has not proven; slower", true, none,
-           kAllFeatures},
+           kAllFeatures, kProven},
           no_parts),
   };
   return all;
@@ -294,18 +296,14 @@ std::string spec_of(const MethodInfo& info) {
   return spec;
 }
 
-std::vector<std::string> every_method_but(const std::vector<std::string>& named) {
+std::vector<std::string> every_method_but(const std::vector<std::string>& named,
+                                          bool MethodInfo::*mark) {
   std::vector<std::string> specs;
   for (const MethodInfo& info : registered_methods()) {
+    if (mark != nullptr && !(info.*mark)) continue;
     const std::string spec = spec_of(info);
     if (std::ranges::find(named, spec) == named.end()) specs.push_back(spec);
   }
-  return specs;
-}
-
-std::vector<std::string> claimants_but(const std::vector<std::string>& named) {
-  std::vector<std::string> specs = every_method_but(named);
-  std::erase_if(specs, [](const std::string& spec) { return !claims_no_false_negative(spec); });
   return specs;
 }
 
