@@ -72,8 +72,8 @@ TEST(Hunt, EndsWithTheFirstCounterexampleOfAnOutcome) {
   options.methods = {"tdibm"};
   options.ground.linear = true;
   options.until = Outcome::kMissed;
+  options.seconds = 1e9;  // nothing else ends it
   const HuntReport report = Hunted(options).report;
-  EXPECT_LT(report.seconds, options.seconds / 2);
   EXPECT_TRUE(std::ranges::any_of(
       report.finds, [](const Find& find) { return find.failure.outcome == Outcome::kMissed; }));
 }
