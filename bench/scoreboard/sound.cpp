@@ -47,7 +47,7 @@ std::string lost_contact(const Case& known, Look look, MethodSet& methods) {
   const bool ordinary = is_within_scale(known.query, kErrorBoundScale);
   for (const char* method : kSoundMethods) {
     if (!ordinary && std::string_view(method) == "tdibm-e") continue;
-    if (look.traces && known.truth.witness) {
+    if (look.traces && known.truth.witness && check_taken(method, known.query)) {
       const Trace& trace =
           methods[method].trace(known.query, *known.truth.witness, {.precision = 0x1p-8});
       if (trace.lost) return fmt::format("{} loses a contact", method);
