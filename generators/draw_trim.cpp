@@ -1,6 +1,8 @@
 #include "generators/draw_trim.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bezier/trim.hpp"
 
@@ -59,6 +61,12 @@ Loop loop_about(const Shape& shape, const Uv<double>& p, int halvings) {
   return loop;
 }
 
+void turn_round(Trim& trim, Draw& choices) {
+  for (Loop& loop : trim) {
+    if (choices.coin()) std::reverse(loop.begin(), std::prev(loop.end()));
+  }
+}
+
 Trim draw_trim(Draw& choices, const Shape& shape, const Uv<double>& p) {
   return choices.until(
       [&] {
@@ -73,6 +81,7 @@ Trim draw_trim(Draw& choices, const Shape& shape, const Uv<double>& p) {
           double& x = loop[choices.below(loop.size())][choices.choose(1)];
           x = choices.nudged(x, 1);
         }
+        turn_round(trim, choices);
         return trim;
       },
       [&](const Trim& trim) { return !fault_of(trim, shape); });

@@ -14,6 +14,9 @@ std::vector<Uv<double>> loop_about(const Shape& shape, const Uv<double>& p, int 
 std::vector<Uv<double>> draw_loop_through(Draw& choices, const Shape& shape, const Uv<double>& p,
                                           bool is_vertex);
 
+/// Reverses each loop or not, as a coin says. Its last vertex stays the last.
+void turn_round(Trim& trim, Draw& choices);
+
 /// Loops around, through and beside a point of the domain. Rings about it put it into a hole or on
 /// an island. Edges, vertices and slivers pass through it, or one float beside it. The draw is
 /// discarded where a patch may not have the loops.

@@ -108,6 +108,7 @@ Place trim_about(Contact& q, std::size_t side, const PickPlace& pick, Draw& draw
       [&] {
         const Place place = pick();
         patch.trim = draw_loops(place, draw, patch.shape, p);
+        turn_round(patch.trim, draw);
         return place;
       },
       [&](Place place) {

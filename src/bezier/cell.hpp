@@ -20,7 +20,9 @@ struct Cell {
 
   static constexpr int kMaxDepth = 50;
 
-  /// Child c of a midpoint split, 0 ≤ c < shape.child_count().
+  /// Child c of a midpoint split, 0 ≤ c < shape.child_count(). Bit 0 of c is the upper half in u,
+  /// bit 1 that in v. A triangle has its children at the corners (w, u, v), then the middle one,
+  /// whose corners are the midpoints of (u, v), (w, v) and (w, u).
   Cell child(const Shape& shape, int c) const;
 
   /// The sub-domain's corners as (u, v); the rest is 0. A curve has 2. A triangle has 3 in the

@@ -141,11 +141,14 @@ bool HuntGround::are_linear() const {
 }
 
 std::vector<ShapePair> HuntGround::drawn_shapes() const {
-  if (shapes) return {*shapes};
   std::vector<ShapePair> drawn;
   const auto add = [&](const ShapePair& pair) {
     if (has_shapes(pair) && std::ranges::find(drawn, pair) == drawn.end()) drawn.push_back(pair);
   };
+  if (shapes) {
+    add(*shapes), add({(*shapes)[1], (*shapes)[0]});
+    return drawn;
+  }
   if (linear) {
     for (const ShapePair& pair : kLinearPairs) add(pair);
     return drawn;
