@@ -275,9 +275,13 @@ std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) co
   Draw choices{Random::keyed(
       {seed_, index, static_cast<std::uint64_t>(contact), 0x766172696564})};  // "varied"
   const std::optional<Case> other = varied(drawn, ground_, features_, choices);
+  const Case& known = other ? *other : drawn;
+  const bool may_end_else = !ground_.uniform && choices.coin();
+  const auto ended = may_end_else ? near_an_end(known, ground_, choices) : std::nullopt;
   // Generators prove what they say.
-  const auto made = value_or_throw(check_case(other ? *other : drawn));
+  const auto made = value_or_throw(check_case(ended ? *ended : known));
   std::vector<CheckedCase> asked = other || are_by_shapes() ? std::vector{made} : forms_of(made);
+  if (ended) asked.back() = made;
   std::erase_if(asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return asked;
 }

@@ -15,8 +15,8 @@ namespace ccdfuzz {
 /// the seed, the ground and the features alone. It alternates between both constructions and all
 /// stress families that have the class and the ground's shapes. Families of weights, loops, ends
 /// and separations are among them where the features have these. A draw is a case with exact truth,
-/// as it is put to the method (forms_of, varied). It is brought onto the ground where that is
-/// possible (HuntGround::fitted). Else it is left out, so a draw may be empty.
+/// as it is put to the method (forms_of, varied, near_an_end). It is brought onto the ground where
+/// that is possible (HuntGround::fitted). Else it is left out, so a draw may be empty.
 class Draws {
  public:
   /// features: what the method takes.

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "base/nearest_float.hpp"
+#include "case/judge.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "method/setting.hpp"
 
 namespace ccdfuzz {
 
@@ -142,6 +145,29 @@ std::optional<Case> at_separation(const Case& value, const HuntGround& ground, d
   return made;
 }
 
+/// The case of linear patches, of which one is up to 16 times as fast against the other, from as
+/// much farther away. Soon after the contact they are deep in each other. It is decided anew.
+std::optional<Case> faster(const Case& value, const HuntGround& ground, Draw& draw) {
+  const auto contact = value.truth.contact_by();
+  if (has_ends(value.query) || !contact) return std::nullopt;
+  Query query = value.query;
+  Vec3<double> way(0, 0, 0);
+  for (const size_t s : {size_t{0}, size_t{1}}) {
+    const Points<double>& velocities = query.patches[s].velocities;
+    const double share = (s == 0 ? 1.0 : -1.0) / static_cast<double>(velocities.size());
+    for (const Vec3<double>& v : velocities) way += share * v;
+  }
+  way *= std::ldexp(1.0, draw.integer(1, 4)) - 1;
+  MovingPatch<double>& patch = query.patches[0];
+  for (Vec3<double>& v : patch.velocities) v += way;
+  for (Vec3<double>& p : patch.positions) p -= contact->get_d() * way;
+  query.t_max *= 2;  // what rounding makes later
+  fit(query, ground);
+  std::optional<Case> made = decided_case(query);
+  if (made) made->origin = value.origin;
+  return made;
+}
+
 /// The same case by the positions at 0 and at 1. nullopt if these are no doubles, or the motion
 /// ends at 1 before the truth does.
 std::optional<Case> by_exact_ends(Case value) {
@@ -194,6 +220,23 @@ std::optional<Case> varied(const Case& value, const HuntGround& ground, const Fe
     made->origin.index = value.origin.index;
   }
   return made;
+}
+
+std::optional<Case> near_an_end(const Case& value, const HuntGround& ground, Draw& draw) {
+  const int most = ground.ordinary ? -std::ilogb(kEndShare) : 20;
+  const int k = draw.coin() ? most : draw.integer(ground.ordinary ? 1 : 0, most);
+  // A little more than the share, of few bits, which is well inside of an ordinary step.
+  const double last = 1 + std::ldexp(1 + 0x1p-9, -k), first = std::ldexp(1 - 0x1p-9, k);
+  const bool is_last = draw.coin();
+  const bool may_be_shallow = ground.ordinary && is_last && is_linear_query(value.query);
+  const std::optional<Case> known = may_be_shallow ? faster(value, ground, draw) : value;
+  const auto contact = known ? known->truth.contact_by() : std::nullopt;
+  if (!contact || *contact == 0) return std::nullopt;
+  double t_max = round_up(*contact * exact(k == 0 ? 1 : is_last ? last : first));
+  if (ground.binary32) t_max = nearest_float(t_max);
+  if (!std::isfinite(t_max) || is_past_motion(known->query, t_max)) return std::nullopt;
+  Case made = ground.fitted(with_t_max(*known, t_max));
+  return made.truth.collides == true && ground.has(made) ? std::optional(made) : std::nullopt;
 }
 
 }  // namespace ccdfuzz

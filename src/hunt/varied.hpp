@@ -18,4 +18,9 @@ namespace ccdfuzz {
 std::optional<Case> varied(const Case& value, const HuntGround& ground, const Features& features,
                            Draw& draw);
 
+/// A case with a contact after 0, asked up to another time. So its contact is in the last or the
+/// first 2^-k of the step, k ≤ 20, or at the end. Where only ordinary cases count, k ≤ 10, and it
+/// is not at the end. nullopt if there is none, or the ground has no such case.
+std::optional<Case> near_an_end(const Case& value, const HuntGround& ground, Draw& draw);
+
 }  // namespace ccdfuzz
