@@ -251,9 +251,10 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
 
   const bool is_miss = options.kind == CaseKind::kNMN;
   const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;
-  // (Families of bodies that turn and of meshes are made of a later contact.)
+  // (Families of bodies that turn, and those that graze, are made of a later contact.)
   const bool is_plain = options.family == Family::kBodies;
-  const bool may_touch = is_plain && options.at_start && options.kind == CaseKind::kRP;
+  const bool begins = is_plain || (is_of_a_mesh(options.family) && !is_grazing(options.family));
+  const bool may_touch = begins && options.at_start && options.kind == CaseKind::kRP;
   const bool overlaps = options.initial_overlap;
   const bool at_start = overlaps || (may_touch && draw.below(8) == 7);
   const std::int64_t eighths = overlaps ? -draw.integer(0, 8) : at_start ? 0 : draw.integer(1, 8);
@@ -323,7 +324,7 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   }
   truth.collides = touches;
   if (touches) truth.witness = witness;
-  if (at_start) return out;
+  if (at_start && is_plain) return out;  // where it is a mesh, its faces are made by the normal
   BodyClearance clear{touches ? witness.t : exact(query.t_max), {}, !touches};
   for (size_t k = 0; k < 3; ++k) clear.normal[k] = static_cast<long>(normal[k]);
   truth.clear_until = clear.until;

@@ -13,8 +13,9 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 /// vertex, or a point inside of an edge or of a face. All numbers are floats (binary32) of few
 /// bits, of sizes and speeds from 0.01 to 1000. One scene in eight is up to 2^16 away from the
 /// origin; with options.binary64 it is up to 2^40 away, and its numbers are doubles. With
-/// options.at_start one of RP in eight touches at t = 0. With options.initial_overlap all do, or
-/// overlap: they start after their contact, by up to a unit of time, and go on or back.
+/// options.at_start one of RP in eight touches at t = 0, also of those that a mesh is made of. With
+/// options.initial_overlap all do, or overlap: they start after their contact, by up to a unit of
+/// time, and go on or back.
 ///
 /// A frame has two directions in the contact plane and one out of it. If there is a radius, the
 /// third direction has a rational length and is at right angles to the others. One body is on or

@@ -130,9 +130,9 @@ struct GeneratorOptions {
   bool plane = false;
   /// Whether bodies spin by π/4 at most in the step.
   bool small_spins = false;
-  /// Whether bodies that do not turn may have numbers that are no floats.
+  /// Whether bodies of Family::kBodies may have numbers that are no floats.
   bool binary64 = false;
-  /// Whether these may touch at t = 0.
+  /// Whether these, and bodies against meshes, may touch at t = 0.
   bool at_start = false;
   /// Whether all of them do. Requires Family::kBodies and RP.
   bool initial_overlap = false;

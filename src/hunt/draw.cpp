@@ -223,9 +223,11 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   if (ground_.bodies) {
     for (auto [family, needs] : kOfBodies) {
       if (ground_.plane) needs.angles = std::exchange(needs.turns, false);
+      if (takes_meshes_alone(features_) && !is_of_a_mesh(family)) continue;
       if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, family);
     }
-    if (ground_.ordinary && ground_.initial_overlap && !sources.empty()) {
+    const bool may_overlap = ground_.ordinary && ground_.initial_overlap;
+    if (may_overlap && !takes_meshes_alone(features_) && !sources.empty()) {
       Source& overlapping = sources.emplace_back(sources.front());  // Family::kBodies
       overlapping.options.initial_overlap = true;
       overlapping.kinds = {CaseKind::kRP};

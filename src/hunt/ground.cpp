@@ -241,7 +241,8 @@ std::string asked_text(const HuntGround& ground) {
 /// "point and triangle(1), curve(1) and curve(1)": what a method takes.
 std::string taken_text(const MethodInfo& info) {
   std::vector<std::string> texts = info.domain.pair_texts();
-  if (texts.empty()) texts.emplace_back(info.features.bodies ? "patches and bodies" : "patches");
+  if (texts.empty())
+    texts.emplace_back(takes_bodies(info.features) ? "patches and bodies" : "patches");
   if (std::string rules = info.domain.text(); !rules.empty()) texts.push_back(std::move(rules));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
@@ -267,11 +268,12 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     if (!both) return nothing();
     static_cast<Domain&>(ground) = *std::move(both);
     const auto& pairs = domain.pairs;
-    take_bodies = take_bodies && info.features.bodies &&
+    take_bodies = take_bodies && takes_bodies(info.features) &&
+                  !(ground.uniform && takes_meshes_alone(info.features)) &&
                   (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
     // Who takes bodies, names no shapes and limits the rest is an adapter of an engine.
-    means_bodies = means_bodies || (info.features.bodies && pairs.empty() && names_plugin(method) &&
-                                    !domain.text().empty());
+    means_bodies = means_bodies || (takes_bodies(info.features) && pairs.empty() &&
+                                    names_plugin(method) && !domain.text().empty());
     take_patches = take_patches && (pairs.empty() || !std::ranges::all_of(pairs, is_pair_of_hulls));
   }
   const bool is_of_patches = ground.linear || ground.shapes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case/mesh.hpp"
 #include "case/refusal.hpp"
 
 namespace ccdfuzz {
@@ -12,7 +13,7 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   const bool is_apart = query.separation > 0 && !features.separation && !is_untold;
   const bool is_of_ends = has_ends(query) && !features.ends;
   const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;
-  const bool has_bodies = is_of_bodies(query) && !features.bodies;
+  const bool has_bodies = is_of_bodies(query) && !has_mesh(query) && !features.bodies;
   const bool has_turning = std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
     return body.turn && !(body.turn->is_quaternion() ? features.turns
                           : body.turn->is_spin()     ? features.spins
@@ -30,9 +31,10 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
                           : features.one_sided ? "takes one-sided meshes alone"
                                                : "takes no meshes")
          : has_turning ? "takes no bodies that turn so"
-         : has_bodies  ? kNoBodies
-         : is_apart    ? "knows touching alone, and this query has a separation"
-                       : "";
+         : has_bodies
+             ? (takes_meshes_alone(features) ? "takes meshes, and this query has none" : kNoBodies)
+         : is_apart ? "knows touching alone, and this query has a separation"
+                    : "";
   if (*why_ != '\0') query_ = nullptr;
   const auto use = [this](std::optional<Query> made, const char* why_not) {
     converted_ = std::move(made);

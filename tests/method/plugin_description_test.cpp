@@ -11,8 +11,8 @@ namespace ccdfuzz {
 namespace {
 
 TEST(PluginDescription, OfBodiesAreRefusedOfWhomTakesNone) {
-  for (const std::string field : {"takes_turns", "takes_angles", "takes_spins", "takes_meshes",
-                                  "takes_one_sided", "plane", "bodies"}) {
+  for (const std::string field :
+       {"takes_turns", "takes_angles", "takes_spins", "plane", "bodies"}) {
     const std::string value = field == "bodies" ? R"([{"least_points":1}])" : "true";
     const std::string claim = R"({"protocol":1,")" + field + "\":" + value;
     const Fault refused = read_description(claim + '}').error();
@@ -20,7 +20,7 @@ TEST(PluginDescription, OfBodiesAreRefusedOfWhomTakesNone) {
     EXPECT_EQ(refused.note, "claims " + field + " without takes_bodies");
     EXPECT_TRUE(read_description(claim + R"(,"takes_bodies":true})"));
   }
-  EXPECT_TRUE(read_description(R"({"protocol":1,"takes_ends":true,"takes_trims":true})"));
+  EXPECT_TRUE(read_description(R"({"protocol":1,"takes_ends":true,"takes_meshes":true})"));
 }
 
 TEST(PluginDescription, AFaultInPlaceOfThemHasAName) {

@@ -29,8 +29,8 @@ enum {
   CCDFUZZ_TRIANGLE = 2, /* (n+1)(n+2)/2 control points for n = degree_u; u, v >= 0, u + v <= 1 */
   CCDFUZZ_TENSOR = 3,   /* (degree_u+1)(degree_v+1) control points, u, v in [0,1] */
   CCDFUZZ_HULL = 4      /* a body: all points within `radius` of the convex hull of 1 to 81 control
-                         * points; no parameters. A query has two bodies or none, and none for a
-                         * plug-in that does not claim CCDFUZZ_TAKES_BODIES */
+                         * points; no parameters. A query has two bodies or none: as the plug-in claims
+                         * CCDFUZZ_TAKES_BODIES, CCDFUZZ_TAKES_MESHES, CCDFUZZ_TAKES_ONE_SIDED */
 };
 
 /* A moving Bezier patch: at time t control point i stands at positions[i] + t * velocities[i], or
@@ -129,7 +129,7 @@ enum {
   CCDFUZZ_TAKES_ENDS = 8,        /* answers patches with `ends` */
   CCDFUZZ_TAKES_SEPARATION = 16, /* answers queries with a `separation` above 0 */
   CCDFUZZ_TAKES_WEIGHTS = 32,    /* answers patches with `weights` */
-  CCDFUZZ_TAKES_BODIES = 64,     /* answers queries of two bodies (CCDFUZZ_HULL) */
+  CCDFUZZ_TAKES_BODIES = 64,     /* answers queries of two convex bodies (CCDFUZZ_HULL) */
   CCDFUZZ_TAKES_TRIMS = 128,     /* answers patches with loops */
   /* What it promises to answer is narrower; it is asked of nothing else: */
   CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats; of bodies, so are t_max times
@@ -143,7 +143,7 @@ enum {
   CCDFUZZ_TAKES_ANGLES = 4096,  /* by cosine and sine */
   CCDFUZZ_TAKES_SPINS = 8192,   /* by an angular velocity */
   CCDFUZZ_SMALL_SPINS = 131072, /* and by pi / 4 at most in the step: it is asked of no larger */
-  /* And it answers a convex body against a mesh: */
+  /* It answers a convex body against a mesh, with CCDFUZZ_TAKES_BODIES or without: */
   CCDFUZZ_TAKES_MESHES = 16384,    /* whose faces have two sides */
   CCDFUZZ_TAKES_ONE_SIDED = 32768, /* whose faces have fronts alone */
   /* With CCDFUZZ_ORDINARY and CCDFUZZ_CONTACT_AT_ZERO: beside these queries, convex bodies that

@@ -58,11 +58,12 @@ tl::expected<void, Fault> check_claims(const PluginDescription& d) {
   if (d.domain.small_spins && !d.features.spins) return refusal("small_spins", "takes_spins");
   if (d.features.bodies) return {};
   if (d.domain.initial_overlap) return refusal("initial_overlap");
+  constexpr Features kOfTwoBodies = {.turns = true, .angles = true, .spins = true};
   for (const FeatureClaim& claim : kFeatureClaims) {
-    if (!(kPatchFeatures.*claim.feature) && d.features.*claim.feature) return refusal(claim.field);
+    if (kOfTwoBodies.*claim.feature && d.features.*claim.feature) return refusal(claim.field);
   }
   if (d.domain.plane) return refusal("plane");
-  if (!d.domain.body_kinds.empty()) return refusal("bodies");
+  if (!d.domain.body_kinds.empty() && !takes_bodies(d.features)) return refusal("bodies");
   return {};
 }
 

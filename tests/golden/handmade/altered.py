@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""A plug-in that asks the oracle about another query than its own. The option says which: one that ends a
-thousandth of the step sooner ("last")."""
+"""A plug-in that asks the oracle about another query than its own, or says something else. The option says what
+is wrong: the last thousandth of the step is left out ("last", "last-of-meshes"), or a contact of a mesh at 0
+("start")."""
 import json
 import subprocess
 import sys
 
 PAIRS = [[{'shape': 'point'}, {'shape': 'triangle', 'max_degree': 1}], [{'shape': 'curve', 'max_degree': 1}] * 2]
-CLAIMS = {'last': {'ordinary': True, 'accepts': PAIRS}}
+BODIES = [[{'shape': 'hull'}] * 2]
+CLAIMS = {'last': {'ordinary': True, 'accepts': PAIRS},
+          'last-of-meshes': {'ordinary': True, 'takes_meshes': True, 'accepts': BODIES},
+          'start': {'takes_meshes': True, 'accepts': BODIES}}
 served = subprocess.Popen(['ccdfuzz', 'serve', 'oracle'], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 option = ''
 for line in sys.stdin:
@@ -15,8 +19,11 @@ for line in sys.stdin:
         option = asked['options']
         print(json.dumps({'protocol': 1} | CLAIMS[option]), flush=True)
         continue
-    if option == 'last':
+    if 'last' in option:
         asked['t_max'] *= 0.999
     served.stdin.write(json.dumps(asked).encode() + b'\n')
     served.stdin.flush()
-    print(served.stdout.readline().decode(), end='', flush=True)
+    answer = json.loads(served.stdout.readline())
+    if option == 'start' and answer.get('toi') == 0:
+        answer = {'id': asked['id'], 'verdict': 'miss'}
+    print(json.dumps(answer), flush=True)
