@@ -128,8 +128,8 @@ struct GeneratorOptions {
   BodyKinds bodies = {};
   /// Whether bodies lie and move in the plane z = 0: those of all families but meshes.
   bool plane = false;
-  /// Whether bodies spin by π/4 at most in the step.
-  bool small_spins = false;
+  /// Bodies of Family::kSpinning spin by so many radians at most in [0, 1]; up to kFastestSpin.
+  double most_spin = 3;
   /// Whether bodies of Family::kBodies may have numbers that are no floats.
   bool binary64 = false;
   /// Whether these, and bodies against meshes, may touch at t = 0.

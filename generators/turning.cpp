@@ -1,7 +1,7 @@
 #include "generators/turning.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/nearest_float.hpp"
 #include "base/verify.hpp"
@@ -106,11 +106,12 @@ Attempted bodies_before_one(const GeneratorOptions& options, Draw& draw, const C
 
 }  // namespace
 
-void spin_back(MovingPatch<double>& body, double t, bool in_plane, bool is_small, Draw& draw) {
-  constexpr double kEighthTurn = std::numbers::pi / 4;
-  const Vec3<double> axis = draw_axis(in_plane, is_small ? kEighthTurn * kEighthTurn : 1, draw);
-  constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0};
-  const Vec3<double> w = kSpeeds.at(draw.below(is_small ? 3 : kSpeeds.size())) * axis;
+void spin_back(MovingPatch<double>& body, double t, bool in_plane, double most, Draw& draw) {
+  const double longest = std::min(most, 1.0);
+  const Vec3<double> axis = draw_axis(in_plane, longest * longest, draw);
+  constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0, kFastestSpin};
+  const auto count = std::ranges::upper_bound(kSpeeds, std::max(most, 1.0)) - kSpeeds.begin();
+  const Vec3<double> w = kSpeeds.at(draw.below(static_cast<std::uint64_t>(count))) * axis;
   MovingPatch<double> back = body;
   back.velocities[0] = {0, 0, 0};
   const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
@@ -170,7 +171,7 @@ Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
 /// more before the contact.
 Attempted spinning_case(const GeneratorOptions& options, Draw& draw) {
   Attempted made = bodies_before_one(options, draw, [&](Case& touching, size_t side, double t) {
-    spin_back(touching.query.patches[side], t, options.plane, options.small_spins, draw);
+    spin_back(touching.query.patches[side], t, options.plane, options.most_spin, draw);
   });
   if (!made) return made;
   const Rational t = made->truth.witness->t;

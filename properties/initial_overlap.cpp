@@ -88,11 +88,11 @@ void check_small_spins(Draw& d) {
   GeneratorOptions options;
   options.contact = d.pick(kContactClasses);
   options.family = Family::kSpinning;
-  options.small_spins = true;
+  options.most_spin = kSmallSpin;
   Query query = generate(options, d).value.query;
   show(d, "query", query);
   Domain small;
-  small.small_spins = true;
+  small.most_spin = kSmallSpin;
   const auto is_taken = [&] { return small.broken_by(query).empty(); };
   CLAIM(is_taken());
   double most = 0;

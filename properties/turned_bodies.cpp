@@ -49,7 +49,7 @@ void check_spun_back(Draw& d) {
   body.velocities[0] = {0, 0, 0};
   const Points<double> places = body.positions;
   const double t = d.integer(1, 64) / 64.0;
-  spin_back(body, t, false, false, d);
+  spin_back(body, t, false, kFastestSpin, d);
   show(d, "query", query);
   const Points<Rational> found = points_at(body, exact(t)).rational();
   for (size_t i = 0; i < places.size(); ++i) {

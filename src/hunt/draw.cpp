@@ -182,7 +182,7 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
   options.shapes = shapes;
   options.bodies = ground_.body_kinds;
   options.plane = ground_.plane;
-  options.small_spins = ground_.small_spins;
+  options.most_spin = ground_.most_spin.value_or(kFastestSpin);
   options.binary64 = !ground_.binary32;
   options.at_start = !ground_.ordinary;
   options.seed = seed_;

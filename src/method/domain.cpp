@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "case/body_motion.hpp"
@@ -39,6 +38,16 @@ bool overlaps_at_start(const Case& value) {
 /// The radians by which a body spins in a unit of time.
 double spun(const BodyTurn& turn) {
   return turn.is_spin() ? std::hypot(turn.spin[0], turn.spin[1], turn.spin[2]) : 0;
+}
+
+std::string spins_text(double most) {
+  return fmt::format("spins by {} at most", most == kSmallSpin ? "π/4" : "3 radians");
+}
+
+/// The smaller of two limits; none is no limit.
+template <class T>
+std::optional<T> least(const std::optional<T>& a, const std::optional<T>& b) {
+  return a && b ? std::min(a, b) : a ? a : b;
 }
 
 /// The kinds of bodies that are of both lists.
@@ -119,10 +128,10 @@ std::string Domain::broken_by(const Query& query) const {
                ? fmt::format("takes bodies that move by 2^{} at most", *scale)
                : fmt::format("takes patches whose points are within 2^{} at t_max, too", *scale);
   }
-  if (small_spins && std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
-        return body.turn && spun(*body.turn) * query.t_max > std::numbers::pi / 4;
+  if (most_spin && std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
+        return body.turn && spun(*body.turn) * query.t_max > *most_spin;
       })) {
-    return "takes spins by π/4 at most in the step";
+    return fmt::format("takes {} in the step", spins_text(*most_spin));
   }
   return plane && are_bodies && !is_in_plane(query) ? "takes bodies in the plane z = 0" : "";
 }
@@ -148,13 +157,12 @@ std::string Domain::broken_by(const Case& value) const {
 std::optional<Domain> Domain::with(const Domain& other) const {
   Domain both{{},
               common(body_kinds, other.body_kinds),
-              scale,
+              least(scale, other.scale),
               binary32 || other.binary32,
               ordinary || other.ordinary,
               (initial_overlap || !ordinary) && (other.initial_overlap || !other.ordinary),
               plane || other.plane,
-              small_spins || other.small_spins};
-  if (other.scale) both.scale = std::min(scale.value_or(*other.scale), *other.scale);
+              least(most_spin, other.most_spin)};
   for (const Pair& a : pairs) {
     if (other.pairs.empty()) both.pairs.push_back(a);
     for (const Pair& given : other.pairs) {
@@ -193,7 +201,7 @@ std::string Domain::text() const {
     for (const BodyKind& kind : body_kinds) kinds.push_back(points_text(kind));
     rules.push_back(fmt::format("bodies of {}", fmt::join(kinds, " or ")));
   }
-  if (small_spins) rules.emplace_back("spins by π/4 at most");
+  if (most_spin) rules.push_back(spins_text(*most_spin));
   if (ordinary) rules.emplace_back("ordinary queries alone");
   if (ordinary && initial_overlap) rules.emplace_back("or bodies that overlap at 0");
   return fmt::format("{}", fmt::join(rules, ", "));

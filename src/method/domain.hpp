@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "case/case.hpp"
 
 namespace ccdfuzz {
+
+/// Radians. The second is less than a half turn, by which code that is given two poses turns.
+inline constexpr double kSmallSpin = std::numbers::pi / 4, kShortSpin = 3;
 
 /// The queries that a method promises to answer, beyond its Features, or that a hunt is about; by
 /// default all.
@@ -35,8 +39,8 @@ struct Domain {
   bool initial_overlap = false;
   /// Bodies lie and move in the plane z = 0.
   bool plane = false;
-  /// Bodies spin by π/4 at most in the step.
-  bool small_spins = false;
+  /// The most that bodies spin by in the step: kSmallSpin or kShortSpin.
+  std::optional<double> most_spin = {};
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;

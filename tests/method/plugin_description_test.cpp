@@ -44,7 +44,7 @@ TEST(PluginDescription, AreRefusedWhenTheyCannotBeReadLackAnotherOrAreOfNoKnownF
         R"("tolerance_kind":"parameter")", R"("tolerance_kind":0)", R"("tolerance":"small")",
         R"("tolerance":-1)", R"("tolerance":NaN)", R"("minimum_separation":-0.5)",
         R"("minimum_separation":Infinity)", R"("nan_policy":"miss")", R"("nan_policy":true)",
-        R"("take_bodies":true)", R"("small_spins":true,"takes_bodies":true)",
+        R"("take_bodies":true)", R"("short_spins":true,"takes_bodies":true)",
         R"("initial_overlap":true,"ordinary":true)",
         R"("initial_overlap":true,"takes_bodies":true)",
         R"("initial_overlap":true,"ordinary":true,"takes_bodies":true,"contact_at_zero":false)"}) {

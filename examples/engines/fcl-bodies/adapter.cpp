@@ -18,7 +18,7 @@ struct FclBodies {
   ccd::Description describe() const {
     ccd::Description description{"FCL", ENGINE_VERSION};
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_ORDINARY;  // open ends
-    if (!far) description.claims |= CCDFUZZ_TAKES_SPINS;
+    if (!far) description.claims |= CCDFUZZ_TAKES_SPINS | CCDFUZZ_SHORT_SPINS;
     description.within = far ? 40 : 7;
     description.pairs = ccd::body_pairs();
     description.bodies = {{1, 1, CCDFUZZ_POSITIVE_RADIUS}, {4, 4, CCDFUZZ_NO_RADIUS}};

@@ -143,6 +143,7 @@ enum {
   CCDFUZZ_TAKES_ANGLES = 4096,  /* by cosine and sine */
   CCDFUZZ_TAKES_SPINS = 8192,   /* by an angular velocity */
   CCDFUZZ_SMALL_SPINS = 131072, /* and by pi / 4 at most in the step: it is asked of no larger */
+  CCDFUZZ_SHORT_SPINS = 262144, /* and by 3 radians at most: the shorter way between two poses */
   /* It answers a convex body against a mesh, with CCDFUZZ_TAKES_BODIES or without: */
   CCDFUZZ_TAKES_MESHES = 16384,    /* whose faces have two sides */
   CCDFUZZ_TAKES_ONE_SIDED = 32768, /* whose faces have fronts alone */

@@ -55,7 +55,9 @@ tl::expected<void, Fault> check_claims(const PluginDescription& d) {
     return refusal("initial_overlap", "contact_at_zero");
   }
   if (d.domain.initial_overlap && !d.domain.ordinary) return refusal("initial_overlap", "ordinary");
-  if (d.domain.small_spins && !d.features.spins) return refusal("small_spins", "takes_spins");
+  if (const auto& most = d.domain.most_spin; most && !d.features.spins) {
+    return refusal(*most == kSmallSpin ? "small_spins" : "short_spins", "takes_spins");
+  }
   if (d.features.bodies) return {};
   if (d.domain.initial_overlap) return refusal("initial_overlap");
   constexpr Features kOfTwoBodies = {.turns = true, .angles = true, .spins = true};
@@ -286,7 +288,10 @@ struct JsonForm<PluginDescription> {
     archive.optional("ordinary", domain.ordinary);
     archive.optional("initial_overlap", domain.initial_overlap);
     archive.optional("plane", domain.plane);
-    archive.optional("small_spins", domain.small_spins);
+    bool are_small = false, are_short = false;
+    archive.optional("small_spins", are_small);
+    archive.optional("short_spins", are_short);
+    if (are_small || are_short) domain.most_spin = are_small ? kSmallSpin : kShortSpin;
     NumberWidth width = NumberWidth::k64;
     archive.optional("numbers", width);
     domain.binary32 = width == NumberWidth::k32;

@@ -191,6 +191,7 @@ class Plugin {
                         {"initial_overlap", (d.claims & CCDFUZZ_INITIAL_OVERLAP) != 0},
                         {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
                         {"small_spins", (d.claims & CCDFUZZ_SMALL_SPINS) != 0},
+                        {"short_spins", (d.claims & CCDFUZZ_SHORT_SPINS) != 0},
                         {"within", d.within},
                         {"bodies", bodies}};
     for (const ccdfuzz::FeatureClaim& claim : ccdfuzz::kFeatureClaims) {

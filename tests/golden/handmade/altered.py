@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """A plug-in that asks the oracle about another query than its own, or says something else. The option says what
-is wrong: the last thousandth of the step is left out ("last", "last-of-meshes"), or a contact of a mesh at 0
-("start")."""
+is wrong: the last thousandth of the step is left out ("last", "last-of-meshes"), a contact of a mesh at 0
+("start"), or bodies that spin go the shorter way round ("wraps")."""
 import json
+import math
 import subprocess
 import sys
 
@@ -10,7 +11,16 @@ PAIRS = [[{'shape': 'point'}, {'shape': 'triangle', 'max_degree': 1}], [{'shape'
 BODIES = [[{'shape': 'hull'}] * 2]
 CLAIMS = {'last': {'ordinary': True, 'accepts': PAIRS},
           'last-of-meshes': {'ordinary': True, 'takes_meshes': True, 'accepts': BODIES},
-          'start': {'takes_meshes': True, 'accepts': BODIES}}
+          'start': {'takes_meshes': True, 'accepts': BODIES},
+          'wraps': {'ordinary': True, 'takes_bodies': True, 'takes_spins': True, 'accepts': BODIES}}
+
+
+def wrapped(velocity, step):
+    """That of the shorter way round to where a spin is after the step."""
+    angle = step * math.hypot(*velocity)
+    return [x * math.remainder(angle, 2 * math.pi) / angle if angle > math.pi else x for x in velocity]
+
+
 served = subprocess.Popen(['ccdfuzz', 'serve', 'oracle'], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 option = ''
 for line in sys.stdin:
@@ -21,6 +31,8 @@ for line in sys.stdin:
         continue
     if 'last' in option:
         asked['t_max'] *= 0.999
+    for spin in [body['spin'] for body in asked['patches'] if 'spin' in body] if option == 'wraps' else []:
+        spin['velocity'] = wrapped(spin['velocity'], asked['t_max'])
     served.stdin.write(json.dumps(asked).encode() + b'\n')
     served.stdin.flush()
     answer = json.loads(served.stdout.readline())
