@@ -68,8 +68,8 @@ std::optional<Approach> approach_of(const Case& value);
 std::optional<Rational> nearer_since(const CheckedCase& known, const AnswerTerms& terms,
                                      const Rational& before);
 
-/// How far bodies are apart at t beyond their radii and the separation, as the clearance that they
-/// have shows: a lower bound, at most 0 where it shows nothing. Requires one that covers t ≥ 0.
+/// How far bodies are apart at t beyond their radii and the separation. It is a lower bound, by
+/// their clearance; at most 0 where that shows nothing. Requires a clearance that covers t ≥ 0.
 double apart_at(const CheckedCase& known, double t);
 
 /// An answer and how it stands against its truth.
