@@ -56,7 +56,8 @@ def bisect(name, good, bad, arguments):
     wrong, right = (shown_by(version) for version in (bad, good))
     telling = {find for find, got in wrong.items() if got in WRONG and right.get(find) == "correct"}
     if not telling:
-        some = [f"{find} {right.get(find, 'not asked')} and {got}" for find, got in wrong.items()]
+        some = [f"{pathlib.Path(find).name} {right.get(find, 'not asked')} and {got}"
+                for find, got in wrong.items()]
         fail(f"the finds in {finds} do not tell {name} {good} from {bad}: {', '.join(some[:5])}")
     print(f"{len(telling)} of {len(wrong)} finds tell {name} {good} from {bad}")
     while abs(high - low) > 1:

@@ -92,17 +92,14 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
-/// How far two bodies are apart beyond their radii and the separation, at least. gap: of their
-/// hulls along the normal, times its length. At most 0 where they are not shown to be.
-double apart(const Query& query, const Rational& gap, const Vec3<Rational>& normal) {
-  if (gap <= 0) return 0;
-  const double hulls = next_down(std::sqrt(round_down(gap * gap / dot(normal, normal))));
-  return round_down(exact(hulls) - exact(query.separation) - exact(query.patches[0].radius) -
-                    exact(query.patches[1].radius));
+/// The squared distance of two hulls, at least; 0 where they are not shown to be apart. gap: along
+/// the normal, times its length.
+Rational squared_distance(const Rational& gap, const Vec3<Rational>& normal) {
+  return gap > 0 ? Rational(gap * gap / dot(normal, normal)) : Rational(0);
 }
 
-/// The same at t, by the direction that keeps them apart.
-double apart(const Query& query, const BodyClearance& clearance, const Rational& t) {
+/// The same at t, by the direction that keeps bodies apart.
+Rational squared_distance(const Query& query, const BodyClearance& clearance, const Rational& t) {
   const auto& n = clearance.normal;
   const Vec3<Rational> normal(n[0], n[1], n[2]);
   std::array<std::vector<Rational>, 2> heights;
@@ -111,22 +108,24 @@ double apart(const Query& query, const BodyClearance& clearance, const Rational&
       heights[s].push_back(dot(normal, p));
     }
   }
-  return apart(query, *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]),
-               normal);
+  return squared_distance(
+      *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]), normal);
 }
 
-/// The same of the nearest face of a mesh that is there.
-double apart(const Query& query, const MeshClearance& clearance, const Rational& t) {
-  double least = std::numeric_limits<double>::infinity();
-  const std::vector<size_t> there = faces_there(query);
-  for (size_t n = 0; n < there.size(); ++n) {
-    least = std::min(least, apart(of_face(query, there[n]), nth_of(clearance, n), t));
+/// The same of the nearest face of a mesh. Nothing where the body meets backs of faces alone.
+std::optional<Rational> squared_distance(const Query& query, const MeshClearance& clearance,
+                                         const Rational& t) {
+  std::vector<Rational> of_faces;
+  for (const size_t face : faces_there(query)) {
+    const size_t n = of_faces.size();
+    of_faces.push_back(squared_distance(of_face(query, face), nth_of(clearance, n), t));
   }
-  return least;
+  if (of_faces.empty()) return std::nullopt;
+  return std::ranges::min(of_faces);
 }
 
 /// The same by the gap of the plane that is between them at t.
-double apart(const Query& query, const BodyPlanes& clearance, const Rational& t) {
+Rational squared_distance(const Query&, const BodyPlanes& clearance, const Rational& t) {
   const auto next = std::ranges::upper_bound(clearance.planes, t, {}, &BodyPlanes::Plane::from);
   const BodyPlanes::Plane& plane = *std::prev(next);
   const Rational until = next == clearance.planes.end() ? clearance.until : next->from;
@@ -137,13 +136,26 @@ double apart(const Query& query, const BodyPlanes& clearance, const Rational& t)
     const Rational& from = plane.normals[0][k];
     normal[k] = from + share * (plane.normals[1][k] - from);
   }
-  return apart(query, plane.gap, normal);
+  return squared_distance(plane.gap, normal);
 }
 
 /// What is no certificate of bodies does not show it.
 template <class Other>
-double apart(const Query&, const Other&, const Rational&) {
+Rational squared_distance(const Query&, const Other&, const Rational&) {
   return 0;
+}
+
+std::optional<Rational> hulls_apart(const CheckedCase& known, double t) {
+  return std::visit(
+      [&](const auto& shown) -> std::optional<Rational> {
+        return squared_distance(known.query(), shown, exact(t));
+      },
+      *known.clearance());
+}
+
+/// The distance of hulls at which bodies touch.
+Rational reach(const Query& query) {
+  return exact(query.separation) + exact(query.patches[0].radius) + exact(query.patches[1].radius);
 }
 
 }  // namespace
@@ -199,7 +211,9 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   }
   if (compare(terms.space_tolerance, 0) > 0) {
     if (is_of_bodies(query)) {
-      if (apart_at(known, *answer.toi) <= terms.space_tolerance) return Outcome::kUnknown;
+      const Rational most = reach(query) + exact(terms.space_tolerance);
+      const std::optional<Rational> hulls = hulls_apart(known, *answer.toi);
+      if (hulls && *hulls <= most * most) return Outcome::kUnknown;
     } else {
       if (!answer.has_uv) return Outcome::kUnknown;
       if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
@@ -212,8 +226,10 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
 }
 
 double apart_at(const CheckedCase& known, double t) {
-  return std::visit([&](const auto& shown) { return apart(known.query(), shown, exact(t)); },
-                    *known.clearance());
+  const std::optional<Rational> squared = hulls_apart(known, t);
+  if (!squared) return 0;
+  const double hulls = next_down(std::sqrt(round_down(*squared)));
+  return round_down(exact(hulls) - reach(known.query()));
 }
 
 double delay_of(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {

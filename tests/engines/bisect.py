@@ -66,8 +66,8 @@ def main():
              "last bad version: rapier 2.0\nfirst good version: rapier 3.0\n"),
             ("1.0=good 2.0=good 3.0=other 4.0=bad 5.0=bad", "1.0", "5.0", 2,
              "rapier 3.0 answers neither right nor wrong: error\n"),
-            ("1.0=good 2.0=good 3.0=other 4.0=other", "1.0", "4.0", 2, "do not tell rapier 1.0 from 4.0\n"),
-            ("1.0=good 2.0=good", "1.0", "2.0", 2, "do not tell rapier 1.0 from 2.0\n"),
+            ("1.0=good 2.0=good 3.0=other 4.0=other", "1.0", "4.0", 2, "do not tell rapier 1.0 from 4.0: missed-VV"),
+            ("1.0=good 2.0=good", "1.0", "2.0", 2, "missed-VV.json correct and correct\n"),
             ("1.0=good 2.0=good", "1.0", "7.0", 2, "7.0 is no version of")]:
         got, text = bisect(versions, good, bad)
         if got != code or wanted not in text:
