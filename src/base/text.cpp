@@ -6,10 +6,13 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
+
+#include "base/double_parts.hpp"
 
 namespace ccdfuzz {
 
@@ -142,12 +145,14 @@ std::string beside_tolerance(double size, const char* what, double tolerance) {
   const auto rounded = [](double x) {
     constexpr size_t kTwoDigits = 3;                     // and the point
     const std::string text = fmt::format("{:.11e}", x);  // without what doubles are off by
-    return std::stod(text.substr(0, kTwoDigits) + text.substr(text.find('e')));
+    const std::string digits = text.substr(0, kTwoDigits) + text.substr(text.find('e'));
+    return std::strtod(digits.c_str(), nullptr);
   };
-  if (!(size > 0)) return "";
+  if (!(size > 0) || !is_finite(size)) return "";
   const std::string text = fmt::format(", {:g} {}", rounded(size), what);
-  if (!(tolerance > 0) || size < tolerance) return text;
-  return text + fmt::format(", {:g} times the tolerance", rounded(size / tolerance));
+  const double times = size / tolerance;
+  if (!(tolerance > 0) || size < tolerance || !is_finite(times)) return text;
+  return text + fmt::format(", {:g} times the tolerance", rounded(times));
 }
 
 std::string shell_word(const std::string& text) {

@@ -215,9 +215,10 @@ std::optional<std::string> EngineWords::sweep(const MovingPatch<double>& patch,
     words.emplace("__AXIS__", list({axis}));
     words.emplace("__ANGLE__", fmt::format("{}", angle));
     // As an adapter has it (spun), to the last bit: no function of the engine rounds it anew.
-    const Vec3<double> part = angle > 0 ? std::sin(angle / 2) / axis.norm() * axis : axis;
-    words.emplace("__TURNED__", fmt::format("{}, {}, {}, {}", part[0], part[1], part[2],
-                                            std::cos(angle / 2)));
+    const double speed = axis.norm();
+    const Vec3<double> part = speed > 0 ? std::sin(speed * step / 2) / speed * axis : axis;
+    words.emplace("__TURNED__",
+                  fmt::format("{}, {}, {}, {}", part[0], part[1], part[2], std::cos(angle / 2)));
     const std::optional<std::string> of = word("spin");
     return of ? std::optional(filled(*of, words)) : std::nullopt;
   }

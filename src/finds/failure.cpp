@@ -78,6 +78,7 @@ void say_version(Case& find, const std::string& method, const Judged& judged) {
   const auto say = [&](const char* name, double x) {
     if (x > 0) more[name] = fmt::format("{}", x);
   };
+  if (judged.outcome == Outcome::kFalsePositive) return;
   say("depth", judged.depth);
   say(kDepthAllowed, is_of_bodies(find.query) ? judged.terms.depth_tolerance : 0);  // as outcome_of
   say(kTimeAllowed, judged.terms.time_tolerance);

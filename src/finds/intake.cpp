@@ -193,7 +193,7 @@ void Intake::complete(Find& find, Asker& asker, const Finish& how, double second
   find.judged = asker.ask_how_deep(failure, known);
   say_version(find.value, failure.who, find.judged);
   const Expected shown{failure.outcome, failure.cause};
-  find.differs = !is_over() && asker.differs(failure.who, known, shown, asker.search());
+  find.differs = !how.stop && asker.differs(failure.who, known, shown, asker.search());
   if (!find.differs) find.value.origin.more.erase(kNote);
   asker.ask_others(find.value, how.methods);
 }
@@ -211,7 +211,8 @@ Result<void> Intake::finish(const Finish& how) {
       tasks.size(), how.threads,
       [&](size_t i) {
         Find find = std::move(tasks[i]);
-        const double share = how.threads / static_cast<double>(tasks.size() - i);
+        // Those that are minimised at once take the same time.
+        const double share = std::min(1.0, how.threads / static_cast<double>(tasks.size() - i));
         try {
           complete(find, askers.local(), how, share * how.seconds_left());
         } catch (const NoProcess&) {

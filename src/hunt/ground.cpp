@@ -117,10 +117,10 @@ std::optional<ContactClass> linear_class_of(const Shape& a, const Shape& b) {
 }
 
 bool HuntGround::has(const Query& query) const {
+  const ShapePair of = {query.patches[0].shape, query.patches[1].shape}, swapped = {of[1], of[0]};
   return Domain::broken_by(query).empty() && order_of(query) &&
-         (!shapes ||
-          (query.patches[0].shape == (*shapes)[0] && query.patches[1].shape == (*shapes)[1])) &&
-         (!linear || linear_class_of(query)) && (!bodies || is_of_bodies(query));
+         (!shapes || of == *shapes || swapped == *shapes) && (!linear || linear_class_of(query)) &&
+         (!bodies || is_of_bodies(query));
 }
 
 bool HuntGround::has(const Case& value) const {
@@ -261,6 +261,7 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
                                methods.front(), asked, taken_text(info)));
   };
   bool take_bodies = true, take_patches = true, means_bodies = false;
+  bool take_convex = true, take_meshes = !ground.uniform, take_one_sided = !ground.uniform;
   for (const std::string& method : methods) {
     CCDFUZZ_TRY(const MethodInfo info, method_info(method));
     const Domain& domain = info.domain;
@@ -268,8 +269,10 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     if (!both) return nothing();
     static_cast<Domain&>(ground) = *std::move(both);
     const auto& pairs = domain.pairs;
-    take_bodies = take_bodies && takes_bodies(info.features) &&
-                  !(ground.uniform && takes_meshes_alone(info.features)) &&
+    take_convex = take_convex && info.features.bodies;
+    take_meshes = take_meshes && info.features.meshes;
+    take_one_sided = take_one_sided && info.features.one_sided;
+    take_bodies = take_bodies && (take_convex || take_meshes || take_one_sided) &&
                   (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
     // Who takes bodies, names no shapes and limits the rest is an adapter of an engine.
     means_bodies = means_bodies || (takes_bodies(info.features) && pairs.empty() &&

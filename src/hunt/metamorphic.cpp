@@ -129,7 +129,16 @@ std::optional<MovingPatch<double>> part_of(const MovingPatch<double>& patch, con
 std::optional<Related> refined(const Query& query, Draw& d) {
   Related out{{}, {}, false};
   if (has_mesh(query)) {
-    for (const size_t face : faces_there(query)) out.parts.push_back({of_face(query, face)});
+    const bool are_meshes = d.coin();  // some methods take no two convex bodies
+    for (const size_t face : faces_there(query)) {
+      Query part = of_face(query, face);
+      if (are_meshes) {
+        MovingPatch<double>& mesh = part.patches[mesh_side(query)];
+        mesh.faces = {{0, 1, 2}};
+        mesh.one_sided = query.patches[mesh_side(query)].one_sided;
+      }
+      out.parts.push_back({std::move(part)});
+    }
     return out.parts.empty() ? std::nullopt : std::optional(std::move(out));
   }
   const bool is_point = query.patches[0].shape.kind == ShapeKind::kPoint;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A plug-in that asks the oracle about another query than its own, or says something else. The option says what
 is wrong: the last thousandth of the step is left out ("last", "last-of-meshes"), a contact of a mesh at 0
-("start"), or bodies that spin go the shorter way round ("wraps")."""
+("start"), bodies that spin go the shorter way round ("wraps"), or backs of faces count as fronts ("sides")."""
 import json
 import math
 import subprocess
@@ -12,6 +12,7 @@ BODIES = [[{'shape': 'hull'}] * 2]
 CLAIMS = {'last': {'ordinary': True, 'accepts': PAIRS},
           'last-of-meshes': {'ordinary': True, 'takes_meshes': True, 'accepts': BODIES},
           'start': {'takes_meshes': True, 'accepts': BODIES},
+          'sides': {'ordinary': True, 'takes_one_sided': True, 'accepts': BODIES},
           'wraps': {'ordinary': True, 'takes_bodies': True, 'takes_spins': True, 'accepts': BODIES}}
 
 
@@ -33,6 +34,8 @@ for line in sys.stdin:
         asked['t_max'] *= 0.999
     for spin in [body['spin'] for body in asked['patches'] if 'spin' in body] if option == 'wraps' else []:
         spin['velocity'] = wrapped(spin['velocity'], asked['t_max'])
+    for body in asked['patches'] if option == 'sides' else []:
+        body.pop('sides', None)
     served.stdin.write(json.dumps(asked).encode() + b'\n')
     served.stdin.flush()
     answer = json.loads(served.stdout.readline())
