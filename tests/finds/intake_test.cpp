@@ -226,12 +226,8 @@ TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {
   Taken taken(folder.path(), 2);
   taken.offer(find_of(31));
   const std::atomic<bool> stop = false;
-  ASSERT_TRUE(taken.intake.finish({1,
-                                   [](const Failure&) { return true; },
-                                   MinimiseOptions().admits,
-                                   [] { return 600; },
-                                   {"tdibm", "other"},
-                                   stop}));
+  const auto any = [](const auto&) { return true; };
+  ASSERT_TRUE(taken.intake.finish({1, any, any, [] { return 600; }, {"tdibm", "other"}, stop}));
   const std::vector<Case> cases = cases_in(folder.path());
   ASSERT_EQ(cases.size(), 1U);
   EXPECT_LT(rank_of(cases[0].query), rank_of(find_of(31).query));
