@@ -29,7 +29,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 std::vector<std::string> texts_between(const std::string& text, char mark = ',');
 
 /// ", 0.031 deep, 310 times the tolerance" in space, where that is above 0 and no larger than the
-/// size; empty for a size of 0. Rounded down, as a size is proven at least, but for errors of doubles.
+/// size; empty for a size of 0. Rounded down, but for errors of doubles: a size is proven at least.
 std::string beside_tolerance(double size, const char* what, double tolerance);
 
 /// The text as one word of a shell's command line.
