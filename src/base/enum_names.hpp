@@ -15,18 +15,17 @@ namespace ccdfuzz {
 //   constexpr std::array<std::string_view, 2> names_of(Verdict) { return {"hit", "miss"}; }
 
 template <class E>
-requires requires(E e) {
+concept HasNames = requires(E e) {
   names_of(e);
-}
+};
+
+template <HasNames E>
 constexpr std::string_view name_of(E value) {
   return names_of(value).at(static_cast<std::size_t>(value));
 }
 
 /// All values, in their order.
-template <class E>
-requires requires(E e) {
-  names_of(e);
-}
+template <HasNames E>
 constexpr auto all_of(E) {
   std::array<E, names_of(E{}).size()> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<E>(i);

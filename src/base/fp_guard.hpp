@@ -16,12 +16,10 @@ namespace ccdfuzz {
 class FpGuard {
  public:
   FpGuard() : callers_(read()) {
-    if (is_sound(callers_)) return;
-    write(kSound);
-    changed_ = true;
+    if (!is_sound(callers_)) write(kSound);
   }
   ~FpGuard() {
-    if (changed_) write(callers_);
+    if (!is_sound(callers_)) write(callers_);
   }
   FpGuard(const FpGuard&) = delete;
   FpGuard& operator=(const FpGuard&) = delete;
@@ -68,7 +66,6 @@ class FpGuard {
   }
 
   Word callers_;
-  bool changed_ = false;
 };
 
 }  // namespace ccdfuzz

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace ccdfuzz {
 
 /// The float that is nearest to x, as a double; infinite where it is past the largest float.
@@ -7,6 +9,11 @@ namespace ccdfuzz {
 /// vectors, as in a loop over coordinates.
 [[gnu::noinline]] inline double nearest_float(double x) {
   return static_cast<double>(static_cast<float>(x));
+}
+
+/// Whether x is a finite float.
+inline bool is_float(double x) {
+  return std::isfinite(x) && nearest_float(x) == x;
 }
 
 }  // namespace ccdfuzz

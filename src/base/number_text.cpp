@@ -10,14 +10,11 @@
 #include <utility>
 
 #include "base/fp_guard.hpp"
+#include "base/read_double.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-bool is_digit(char c) {
-  return '0' <= c && c <= '9';
-}
 
 /// Reads one term from the front of `rest`, without a sign, and drops it from there.
 std::optional<double> take_term(std::string_view& rest) {
@@ -34,13 +31,9 @@ std::optional<double> take_term(std::string_view& rest) {
     after = read.ptr;
   } else {
     const bool hex = rest.starts_with("0x") || rest.starts_with("0X");
-    const char* const digits = hex ? begin + 2 : begin;
-    // from_chars would take "inf", "nan" and a sign.
-    if (digits == end || !(is_digit(*digits) || *digits == '.' || hex) || *digits == '-') {
-      return std::nullopt;
-    }
-    const auto read = std::from_chars(digits, end, value,
-                                      hex ? std::chars_format::hex : std::chars_format::general);
+    const std::string_view digits = rest.substr(hex ? 2 : 0);
+    if (digits.starts_with('-')) return std::nullopt;  // read_double would take it
+    const auto read = read_double(digits.data(), end, value, hex);
     if (read.ec != std::errc()) return std::nullopt;
     after = read.ptr;
   }

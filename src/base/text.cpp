@@ -18,10 +18,6 @@ namespace ccdfuzz {
 
 namespace {
 
-bool continues_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
-}
-
 /// A character of UTF-8, and how many bytes it takes.
 struct Decoded {
   std::uint32_t code_point;

@@ -15,6 +15,10 @@ std::string shown_lines(std::string_view text);
 
 /// The columns of a terminal that everybody has.
 inline constexpr std::size_t kTextWidth = 80;
+/// Whether a byte of UTF-8 is none that a character begins with.
+inline bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
+}
 /// Code points of UTF-8 text.
 std::size_t width(std::string_view text);
 /// The text in lines of at most kTextWidth columns, broken at blanks alone. Lines after the first

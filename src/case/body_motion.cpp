@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::array kAxes = {0, 1, 2};
 
-bool is_float(double x) {
-  return std::isfinite(x) && nearest_float(x) == x;
-}
-
 /// Whether x - y is a float; x and y are. No rounding hides behind both sums: the difference from
 /// the larger of the two is exact (Dekker).
 bool have_float_difference(double x, double y) {

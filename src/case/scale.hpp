@@ -51,8 +51,7 @@ inline bool is_within_scale(const Query& query, int bits) {
 
 /// True iff each number of the query is a finite float (binary32), as engines have them.
 inline bool is_binary32(const Query& query) {
-  return are_all(query,
-                 [](double x) { return std::abs(x) <= 0x1.fffffep127 && nearest_float(x) == x; });
+  return are_all(query, is_float);
 }
 
 /// True iff two bodies lie and move in the plane z = 0, as those of 2-D engines do.

@@ -56,7 +56,7 @@ class JsonCases : public CaseFile {
       }
       if (blank) {
         if (++blank_lines_ <= kMostBlankLines) continue;
-        return input_error(fmt::format("{}:{}", lines_.path(), lines_.line()),
+        return input_error(lines_.here(),
                            fmt::format("is one of more than {} blank lines", kMostBlankLines));
       }
       std::string_view json = *text;
@@ -66,9 +66,7 @@ class JsonCases : public CaseFile {
         of_many_lines = fmt::format("{{{}", rest.value_or(""));
         json = of_many_lines;
       }
-      const std::string id = whole || !of_many_lines.empty()
-                                 ? lines_.path()
-                                 : fmt::format("{}:{}", lines_.path(), lines_.line());
+      const std::string id = whole || !of_many_lines.empty() ? lines_.path() : lines_.here();
       CCDFUZZ_TRY(auto value, parse_case(json, id));
       any_ = true;
       return NamedCase{id, std::move(value), lines_.path()};
@@ -200,10 +198,6 @@ Result<NamedCase> read_case(const std::string& path) {
   return *std::move(first);
 }
 
-void CaseWriter::FreeContext::operator()(ZSTD_CCtx_s* context) const {
-  ZSTD_freeCCtx(context);
-}
-
 Result<CaseWriter> CaseWriter::open(const std::string& path) {
   CCDFUZZ_TRY(const auto kind, case_file_kind(path));
   CCDFUZZ_TRY(auto file, OutputFile::create(path));
@@ -212,7 +206,7 @@ Result<CaseWriter> CaseWriter::open(const std::string& path) {
   writer.kind_ = kind;
   writer.piece_ = is_stream(path) ? 0 : kPiece;
   if (kind == CaseFileKind::kJsonLinesZstd) {
-    writer.zstd_.reset(ZSTD_createCCtx());
+    writer.zstd_ = {ZSTD_createCCtx(), ZSTD_freeCCtx};
     CCDFUZZ_VERIFY(writer.zstd_ != nullptr);
     ZSTD_CCtx_setParameter(writer.zstd_.get(), ZSTD_c_checksumFlag, 1);
   }

@@ -92,10 +92,6 @@ class CaseWriter {
   Result<void> finish();
 
  private:
-  struct FreeContext {
-    void operator()(ZSTD_CCtx_s* context) const;
-  };
-
   explicit CaseWriter(OutputFile file) : file_(std::move(file)) {}
   Result<void> flush(bool last);
 
@@ -105,7 +101,8 @@ class CaseWriter {
   size_t piece_ = 0;  ///< as much is handed on at once; of a stream each case as it comes
   std::string pending_;
   size_t written_ = 0;
-  std::unique_ptr<ZSTD_CCtx_s, FreeContext> zstd_;  ///< null: it is not compressed
+  /// Null: it is not compressed.
+  std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> zstd_{nullptr, nullptr};
   bool is_complete_ = false;
 };
 

@@ -15,10 +15,6 @@ namespace ccdfuzz {
 
 namespace {
 
-bool is_float(double x) {
-  return nearest_float(x) == x;
-}
-
 /// A float in the fewest digits that are read as it.
 std::string short_text(double x) {
   return is_float(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);

@@ -136,10 +136,6 @@ std::array<MovingPatch<Rational>, 2> CsvQuery::patches() const {
   return out;
 }
 
-std::string CsvReader::here() const {
-  return fmt::format("{}:{}", lines_.path(), lines_.line());
-}
-
 Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& fields) const {
   Vec3<Rational> point;
   for (size_t k = 0; k < 3; ++k) {
@@ -147,7 +143,7 @@ Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& field
     for (size_t i = 0; i < 2; ++i) {
       const size_t column = 2 * k + i;
       const auto refuse = [&](const std::string& why) {
-        return input_error(here(),
+        return input_error(lines_.here(),
                            fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
       };
       auto number = parse_integer(fields[column]);
@@ -165,8 +161,8 @@ Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& field
 Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string>& fields) const {
   if (fields.size() < kColumns.size()) return std::nullopt;
   if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
-  return input_error(
-      here(), fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
+  return input_error(lines_.here(), fmt::format("column 7 (truth): {} is neither 0 nor 1",
+                                                shown_text(fields.back())));
 }
 
 /// The fields of the next row; none at the end.
@@ -182,15 +178,17 @@ Result<std::vector<std::string>> CsvReader::next_row() {
     std::vector<std::string> fields = fields_of(row);
     if (fields.size() == 6 || fields.size() == 7) return fields;
     return input_error(
-        here(), fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
+        lines_.here(),
+        fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
   }
 }
 
 /// Errors: the file may not end before this row of the rows of a query.
 Result<void> CsvReader::check_end(size_t row, size_t rows) const {
   if (row > 0) {
-    return input_error(here(), fmt::format("ends after row {} of the {} of its last {} query", row,
-                                           rows, name_of(layout_)));
+    return input_error(lines_.here(),
+                       fmt::format("ends after row {} of the {} of its last {} query", row, rows,
+                                   name_of(layout_)));
   }
   if (given_ == 0) return input_error(lines_.path(), "holds no query");
   if (truths_ && truths_->size() != given_) {
@@ -219,7 +217,7 @@ Result<std::optional<CsvQuery>> CsvReader::next() {
         CCDFUZZ_TRY(auto point, point_of(fields));
         CCDFUZZ_TRY(const auto label, label_of(fields));
         if (!query.lines.empty() && query.label != label) {
-          return input_error(here(),
+          return input_error(lines_.here(),
                              "column 7 (truth): differs from that of the query's row in line " +
                                  std::to_string(query.lines.front()));
         }

@@ -82,7 +82,6 @@ class CsvReader {
 
  private:
   explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}
-  std::string here() const;
   Result<Vec3<Rational>> point_of(const std::vector<std::string>& fields) const;
   Result<std::optional<bool>> label_of(const std::vector<std::string>& fields) const;
   Result<std::vector<std::string>> next_row();

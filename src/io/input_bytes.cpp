@@ -56,10 +56,6 @@ Result<std::vector<std::string>> files_under(
   return files;
 }
 
-void InputBytes::FreeStream::operator()(ZSTD_DCtx_s* stream) const {
-  ZSTD_freeDStream(stream);
-}
-
 Result<InputBytes> InputBytes::open(const std::string& path, bool zstd) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return system_error(path, "read", EISDIR);
@@ -68,7 +64,7 @@ Result<InputBytes> InputBytes::open(const std::string& path, bool zstd) {
   file.descriptor_ = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (*file.descriptor_ < 0) return system_error(path, "read", errno);
   if (zstd) {
-    file.stream_.reset(ZSTD_createDStream());
+    file.stream_ = {ZSTD_createDStream(), ZSTD_freeDStream};
     CCDFUZZ_VERIFY(file.stream_ != nullptr);
   }
   return file;

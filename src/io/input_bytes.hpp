@@ -45,16 +45,14 @@ class InputBytes {
   std::uint64_t position() const { return position_; }
 
  private:
-  struct FreeStream {
-    void operator()(ZSTD_DCtx_s* stream) const;
-  };
   Result<std::string> read_as_it_is(size_t most);
 
   std::string path_;
   Descriptor descriptor_;
   std::uint64_t position_ = 0;
-  std::unique_ptr<ZSTD_DCtx_s, FreeStream> stream_;  ///< null: it is not compressed
-  std::string packed_;                               ///< read, and from `at_` on not yet unpacked
+  /// Null: it is not compressed.
+  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> stream_{nullptr, nullptr};
+  std::string packed_;  ///< read, and from `at_` on not yet unpacked
   size_t at_ = 0;
   bool ended_ = false;
   bool inside_frame_ = false;

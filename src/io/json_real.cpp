@@ -3,70 +3,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <charconv>
 #include <limits>
 
 #include "base/double_parts.hpp"
-#include "base/fp_guard.hpp"
 #include "base/read_double.hpp"
 #include "base/verify.hpp"
 #include "io/json_write.hpp"
+#include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-Result<double> refuse(const JsonValue& value, std::string_view why) {
+tl::unexpected<InputError> refuse(const JsonValue& value, std::string_view why) {
   return input_error("", fmt::format("{} {}", shown(value), why));
 }
 
-/// A decimal without its sign: 0.DIGITS · 10^exponent, the first and the last digit not 0. Zero has
-/// no digits.
-struct Decimal {
-  std::string digits;
-  long exponent = 0;
-
-  friend bool operator==(const Decimal&, const Decimal&) = default;
-};
-
-/// Requires the text of a JSON number. How many digits it has before zeros at the end go is in
-/// `written`.
-Decimal decimal_of(std::string_view text, size_t* written = nullptr) {
-  Decimal out;
-  const size_t mark = std::min(text.find_first_of("eE"), text.size());
-  bool after_point = false;
-  for (const char c : text.substr(0, mark)) {
-    if (c == '.') after_point = true;
-    if (c < '0' || '9' < c) continue;
-    const bool leading_zero = out.digits.empty() && c == '0';
-    if (!leading_zero) out.digits += c;
-    if (!after_point && !leading_zero) ++out.exponent;
-    if (after_point && leading_zero) --out.exponent;
-  }
-  if (written != nullptr) *written = out.digits.size();
-  out.digits.erase(out.digits.find_last_not_of('0') + 1);
-  if (out.digits.empty()) return {};
-  if (mark < text.size()) {
-    std::string_view power = text.substr(mark + 1);
-    if (power.starts_with('+')) power.remove_prefix(1);
-    long value = 0;
-    std::from_chars(power.data(), power.data() + power.size(), value);
-    out.exponent += value;
-  }
-  return out;
+/// Takes the point out of digits, which are a whole number then. Returns how many stood behind it.
+long drop_point(std::string& digits) {
+  const size_t point = digits.find('.');
+  if (point == std::string::npos) return 0;
+  digits.erase(point, 1);
+  return static_cast<long>(digits.size() - point);
 }
 
-/// All digits of a finite double.
-Decimal exact_decimal(double x) {
-  const FpGuard guard;                      // std::to_chars compares x with 0
-  constexpr int kMostDigits = 767;          // of the largest subnormal; no double has more
-  std::array<char, kMostDigits + 16> text;  // with sign, point and exponent
-  const auto [end, status] =
-      std::to_chars(text.begin(), text.end(), x, std::chars_format::scientific, kMostDigits - 1);
-  CCDFUZZ_VERIFY(status == std::errc());
-  return decimal_of({text.begin(), end});
+/// How many digits a decimal has, from the first that is not 0 on.
+size_t significant_digits(std::string_view text) {
+  text = text.substr(0, text.find_first_of("eE"));
+  text.remove_prefix(std::min(text.find_first_of("123456789"), text.size()));
+  return text.size() - static_cast<size_t>(std::ranges::count(text, '.'));
+}
+
+/// What the text of a JSON number says. Requires a magnitude in the range of doubles, above 0.
+Rational exact_decimal(std::string_view text) {
+  const size_t mark = std::min(text.find_first_of("eE"), text.size());
+  std::string digits(text.substr(0, mark));
+  std::string_view power = text.substr(std::min(mark + 1, text.size()));
+  if (power.starts_with('+')) power.remove_prefix(1);
+  long exponent = 0;
+  std::from_chars(power.data(), power.data() + power.size(), exponent);
+  exponent -= drop_point(digits);
+  Integer unit;
+  mpz_ui_pow_ui(unit.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+  const Rational whole(Integer(digits, 10));
+  return exponent < 0 ? Rational(whole / unit) : Rational(whole * unit);
 }
 
 Result<double> parse_decimal(const JsonValue& value) {
@@ -80,7 +61,7 @@ Result<double> parse_decimal(const JsonValue& value) {
   CCDFUZZ_VERIFY(status == std::errc() && end == text.data() + text.size());
   const bool is_integer = text.find_first_of(".eE") == std::string::npos;
   constexpr int kBitsOfAnyInteger = 53;
-  if (is_integer && parts_of(x).top() > kBitsOfAnyInteger && exact_decimal(x) != decimal_of(text)) {
+  if (is_integer && parts_of(x).top() > kBitsOfAnyInteger && exact(x) != exact_decimal(text)) {
     return refuse(value, "is an integer that no double equals");
   }
   return x;
@@ -97,11 +78,10 @@ Result<long> parse_power(const JsonValue& value, std::string_view text) {
   long power = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), power);
   const bool is_whole = end == text.data() + text.size() && status != std::errc::invalid_argument;
-  if (!is_whole || (plus && text.starts_with('-')))
-    return tl::unexpected(refuse(value, kNotHex).error());
+  if (!is_whole || (plus && text.starts_with('-'))) return refuse(value, kNotHex);
   constexpr long kFarOut = 1'000'000;  // no digits that fit a number's text lead back from there
   if (status != std::errc() || power < -kFarOut || kFarOut < power) {
-    return tl::unexpected(refuse(value, "is out of the range of a double").error());
+    return refuse(value, "is out of the range of a double");
   }
   return power;
 }
@@ -117,32 +97,13 @@ Result<double> parse_hex(const JsonValue& value) {
   const size_t mark = std::min(text.find_first_of("pP"), text.size());
   CCDFUZZ_TRY(long exponent, parse_power(value, text.substr(mark)));
   std::string digits(text.substr(0, mark));
-  if (const size_t point = digits.find('.'); point != std::string::npos) {
-    exponent -= 4 * static_cast<long>(digits.size() - point - 1);
-    digits.erase(point, 1);
-  }
+  exponent -= 4 * drop_point(digits);
   if (digits.empty() || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
     return refuse(value, kNotHex);
   }
-  const size_t last = digits.find_last_not_of('0');
-  if (last == std::string::npos) return negative ? -0.0 : 0.0;
-  exponent += 4 * static_cast<long>(digits.size() - last - 1);
-  const size_t first = digits.find_first_not_of('0');
-  digits = digits.substr(first, last - first + 1);
-  // 53 bits reach over 14 digits at most, whose first and last have one bit or more.
-  std::uint64_t mantissa = 0;
-  if (digits.size() > 14) return refuse(value, "is not exactly a double");
-  std::from_chars(digits.data(), digits.data() + digits.size(), mantissa, 16);
-  const int zeros = std::countr_zero(mantissa);
-  mantissa >>= zeros;
-  exponent += zeros;
-  const int bits = static_cast<int>(std::bit_width(mantissa));
-  // From 2^-1074, the least subnormal, to below 2^1024.
-  if (bits > 53 || exponent < -1074 || exponent + bits > 1024) {
-    return refuse(value, "is not exactly a double");
-  }
-  const auto m = static_cast<std::int64_t>(mantissa);
-  return double_of(negative ? -m : m, static_cast<int>(exponent));
+  const auto x = Dyadic(Integer(digits, 16), exponent).to_double_exactly();
+  if (!x) return refuse(value, "is not exactly a double");
+  return negative ? -*x : *x;
 }
 
 }  // namespace
@@ -168,9 +129,8 @@ Result<double> parse_exact_real(const JsonValue& value) {
   const Result<double> x = parse_real(value);
   if (!x || value.kind != JsonKind::kNumber) return x;
   constexpr int kTelling = std::numeric_limits<double>::max_digits10;
-  size_t written = 0;
-  const Decimal decimal = decimal_of(value.text, &written);
-  if (written <= kTelling || decimal == exact_decimal(*x)) return x;
+  const bool tells_one = significant_digits(value.text) <= kTelling;
+  if (tells_one || exact_decimal(value.text) == exact(*x)) return x;
   return refuse(value,
                 fmt::format("is no double, and has more than the {} digits that tell doubles "
                             "apart; the nearest is {}",

@@ -23,6 +23,8 @@ class LineReader {
   bool is_ended() const { return is_line_ended_; }
   /// The number of the line that next gave last, from 1 on; 0 before.
   size_t line() const { return line_; }
+  /// "path:line" of that line.
+  std::string here() const { return path_ + ":" + std::to_string(line_); }
   const std::string& path() const { return path_; }
   /// How many bytes of the file, which may be compressed, have been read.
   std::uint64_t position() const { return bytes_.position(); }

@@ -95,10 +95,6 @@ Result<std::optional<std::string_view>> RunLines::next_whole() {
   return line;
 }
 
-std::string RunLines::where() const {
-  return fmt::format("{}:{}", lines_.path(), lines_.line());
-}
-
 Result<RunFile> RunFile::open(const std::string& path, const RunHeader& header) {
   for (;;) {
     RunFile file(path,

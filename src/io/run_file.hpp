@@ -57,7 +57,7 @@ class RunLines {
   /// Bytes of the lines given so far, the header included.
   std::uint64_t bytes() const { return bytes_; }
   /// "path:number" of the line given last.
-  std::string where() const;
+  std::string where() const { return lines_.here(); }
 
  private:
   explicit RunLines(LineReader lines) : lines_(std::move(lines)) {}

@@ -13,11 +13,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// True iff it is a byte 10xxxxxx of UTF-8.
-bool is_continuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 std::string padded(const std::string& text, size_t to, Align align) {
   const std::string blanks(to - std::min(to, width(text)), ' ');
   return align == Align::kLeft ? text + blanks : blanks + text;
@@ -69,8 +64,8 @@ std::string Table::cell_text(const Row& row, size_t column) const {
   const size_t most = columns_[column].most_width, has = width(text);
   if (most == 0 || has <= most) return text;
   size_t at = 0;
-  for (size_t passed = 0; passed <= has - most || is_continuation(text[at]); ++at) {
-    passed += is_continuation(text[at]) ? 0 : 1;
+  for (size_t passed = 0; passed <= has - most || continues_character(text[at]); ++at) {
+    passed += continues_character(text[at]) ? 0 : 1;
   }
   return "…" + text.substr(at);
 }
@@ -163,21 +158,13 @@ std::string Table::to_markdown() const {
 }
 
 std::string duration_text(double seconds) {
-  struct Unit {
-    double size;
-    const char* name;
-  };
-  constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
+  constexpr std::array<const char*, 4> units = {"s", "ms", "µs", "ns"};
   if (!(seconds > 0)) return "0 s";
+  size_t unit = 0;
   // Rounding to three digits must not carry 999.9 into four: choose the unit after rounding.
-  for (const Unit& unit : units) {
-    const double value = seconds / unit.size;
-    if (value >= 0.9995 || unit.size == units.back().size) {
-      const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
-      return fmt::format("{:.{}f} {}", value, decimals, unit.name);
-    }
-  }
-  return "0 s";
+  for (; seconds < 0.9995 && unit + 1 < units.size(); ++unit) seconds *= 1000;
+  const int decimals = seconds >= 99.95 ? 0 : seconds >= 9.995 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", seconds, decimals, units[unit]);
 }
 
 std::string size_text(double bytes) {

@@ -22,6 +22,7 @@ struct State {
 /// What it does when asked what it is, or else a query.
 void misbehave(const std::string& does) {
   if (does == "crash") std::raise(SIGSEGV);
+  if (does == "sleep") ::sleep(5);
   if (does == "abort") std::abort();
   if (does == "exit") std::exit(7);
   if (does == "throw") throw std::runtime_error("thrown by a plug-in");

@@ -58,7 +58,7 @@ TEST(PluginClaims, EndsAreAskedOfWhomTakesThem) {
     patch.ends = {patch.positions[0] + patch.velocities[0]};
     patch.velocities.clear();
   }
-  ASSERT_TRUE(validate(known.query, ""));
+  ASSERT_TRUE(is_valid(known.query));
   // Its answer to ends is a hit at 0. Without the claim it is asked with velocities.
   EXPECT_EQ(outcome_of(kMiss, known), "missed");
   EXPECT_EQ(outcome_of(kMiss + ":claims=14", known), "correct");

@@ -136,6 +136,7 @@ TEST(Plugin, IsBadInputWhenItFailsToSayWhatItIs) {
     const auto refused = admit_plugin(kMisbehaving + ":" + patient(options));
     EXPECT_THAT(refused.error().message(), testing::HasSubstr(" when asked what it is: "));
   }
+  EXPECT_TRUE(admit_plugin(kMisbehaving + ":describe-sleep"));  // 5 s of the 10 that it has
 }
 
 TEST(Plugin, IsAskedNoMoreAfterRepeatedHangs) {

@@ -1,5 +1,5 @@
-// ccdfuzz-plugin-worker MEGABYTES SECONDS load LIBRARY: loads a plug-in and answers for it by the
-// line protocol. ccdfuzz-plugin-worker MEGABYTES SECONDS run PROGRAM ARGUMENTS...: becomes the
+// ccdfuzz-plugin-worker MEGABYTES load LIBRARY: loads a plug-in and answers for it by the
+// line protocol. ccdfuzz-plugin-worker MEGABYTES run PROGRAM ARGUMENTS...: becomes the
 // program, which answers lines itself. Both with limited memory, unless MEGABYTES is 0; whoever
 // started this limits the time.
 // It is built without sanitizers: it loads what users built.
@@ -354,14 +354,12 @@ class Plugin {
 
 /// The questions come on a descriptor that the plug-in does not know; what it prints goes to
 /// stderr.
-[[noreturn]] void serve(const char* path, unsigned seconds) {
+[[noreturn]] void serve(const char* path) {
   std::set_new_handler(out_of_memory);
   std::unique_ptr<Plugin> plugin;
   ccdfuzz::answer_lines([&](std::string_view line, int replies) {
     reply_descriptor = replies;
     const Json asked = Json::parse(line);
-    // Should whoever asks be gone, a plug-in that hangs ends by this.
-    ::alarm(seconds);
     Json reply;
     if (asked.at("ask") == "describe") {
       plugin = std::make_unique<Plugin>(path, asked.at("options").get<std::string>());
@@ -371,7 +369,6 @@ class Plugin {
       reply["id"] = asked.at("id");
     }
     std::fflush(nullptr);
-    ::alarm(0);
     send(reply);
   });
 }
@@ -379,14 +376,13 @@ class Plugin {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 5) {
+  if (argc < 4) {
     std::fputs("ccdfuzz-plugin-worker is started by ccdfuzz\n", stderr);
     return 2;
   }
   ccdfuzz::limit_answering_process(std::strtoull(argv[1], nullptr, 10) << 20);
   ccdfuzz::continue_in_supervised_child();
-  const auto seconds = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
-  if (std::strcmp(argv[3], "load") == 0) serve(argv[4], seconds);
-  ::execv(argv[4], argv + 4);
-  end_with("refused", "program", std::string("cannot run ") + argv[4] + ": " + strerror(errno));
+  if (std::strcmp(argv[2], "load") == 0) serve(argv[3]);
+  ::execv(argv[3], argv + 3);
+  end_with("refused", "program", std::string("cannot run ") + argv[3] + ": " + strerror(errno));
 }
