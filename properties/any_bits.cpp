@@ -192,7 +192,7 @@ void check_validity(Draw& d) {
   const int depth = show(d, "depth", depth_for(precision));
   const bool is_width = 0 < precision && precision <= 1;
   show_question(d, question);
-  CLAIM(validate(question.query, "").has_value() == is_query(question.query));
+  CLAIM(is_valid(question.query) == is_query(question.query));
   CLAIM(is_taken(question.query, question.options) == is_right(question));
   CLAIM(depth == Cell::kMaxDepth || (is_width && std::ldexp(1.0, -depth) <= precision));
 }

@@ -253,7 +253,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   }
   Query before_zero = query;
   before_zero.t_max = -kLeastDouble;
-  add("valid", validate(before_zero, "").has_value());
+  add("valid", is_valid(before_zero));
   const std::string json = to_json(value);
   const auto read = parse_case(json, "");
   add("read back", read && to_json(*read) == json);

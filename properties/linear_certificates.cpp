@@ -170,7 +170,7 @@ Query draw_spread(Draw& d) {
     Vec3<double>& p = points[d.choose(points.size() - 1)];
     p[static_cast<int>(d.choose(2))] += std::ldexp(d.integer(-3, 3), power());
   }
-  suppose(validate(query, "").has_value());
+  suppose(is_valid(query));
   return query;
 }
 

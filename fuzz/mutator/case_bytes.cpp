@@ -127,7 +127,7 @@ bool pass(Bytes& bytes, CaseParts& parts) {
 std::optional<CaseParts> case_parts_of(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   CaseParts parts;
-  if (!pass(in, parts) || in.ended() || !validate(parts.query, "query")) return std::nullopt;
+  if (!pass(in, parts) || in.ended() || !is_valid(parts.query)) return std::nullopt;
   return parts;
 }
 

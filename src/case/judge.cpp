@@ -19,19 +19,15 @@ namespace ccdfuzz {
 namespace {
 
 bool is_nonsense(const Query& query, const Answer& answer) {
-  const bool nan_toi = answer.toi && is_nan(*answer.toi);
+  const std::optional<double>& toi = answer.toi;
   switch (answer.verdict) {
-    case Verdict::kHit:
-      if (!answer.toi || nan_toi || compare(*answer.toi, 0) < 0 ||
-          compare(*answer.toi, query.t_max) > 0) {
-        return true;
-      }
-      for (const Uv<double>& uv : answer.uv) {
-        if (is_nan(uv[0]) || is_nan(uv[1])) return true;
-      }
-      return false;
+    case Verdict::kHit: {
+      const auto is_unknown = [](const Uv<double>& uv) { return is_nan(uv[0]) || is_nan(uv[1]); };
+      return !toi || is_nan(*toi) || compare(*toi, 0) < 0 || compare(*toi, query.t_max) > 0 ||
+             std::ranges::any_of(answer.uv, is_unknown);
+    }
     case Verdict::kUndecided:
-      return nan_toi;
+      return toi && is_nan(*toi);
     case Verdict::kMiss:
     case Verdict::kRefused:
       return false;  // carries no time; what stands there is not looked at

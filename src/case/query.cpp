@@ -6,8 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <span>
 
 #include "base/double_parts.hpp"
 #include "bezier/trim.hpp"
@@ -18,39 +16,21 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Looks for NaN and infinities in coordinates of any bits, without a branch.
-class FiniteScan {
- public:
-  void add(const Vec3<double>& p) {
-    TwoLanes xy;
-    std::memcpy(&xy, p.data(), sizeof xy);
-    xy_ |= carried(xy);
-    z_ |= carried(std::bit_cast<std::uint64_t>(p[2]));
+/// Whether no coordinate, of any bits, is NaN or infinite. Without a branch for each.
+bool are_all_finite(const Points<double>& points) {
+  constexpr std::uint64_t kMagnitude = ~(std::uint64_t{1} << 63);
+  constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52;
+  std::uint64_t carried = 0;  // into bit 63 of those whose exponent has all bits set
+  for (const Vec3<double>& p : points) {
+    for (int k = 0; k < 3; ++k) {
+      carried |= (std::bit_cast<std::uint64_t>(p[k]) & kMagnitude) + kOneInExponent;
+    }
   }
-  /// Nothing added was NaN or infinite.
-  bool all_finite() const { return ((xy_[0] | xy_[1] | z_) >> 63) == 0; }
-
- private:
-  using TwoLanes = std::uint64_t __attribute__((vector_size(16)));
-
-  /// Bit 63 is set iff all bits of the exponent are: then one more carries over into the sign.
-  template <class Bits>
-  static Bits carried(const Bits& x) {
-    constexpr std::uint64_t kMagnitude = ~(std::uint64_t{1} << 63);
-    constexpr std::uint64_t kOneInExponent = std::uint64_t{1} << 52;
-    return (x & kMagnitude) + kOneInExponent;
-  }
-
-  TwoLanes xy_{};
-  std::uint64_t z_ = 0;
-};
+  return carried >> 63 == 0;
+}
 
 bool is_not_negative(double x) {
   return is_finite(x) && compare(x, 0) >= 0;
-}
-
-bool is_zero(double x) {
-  return is_finite(x) && compare(x, 0) == 0;
 }
 
 bool is_hull(const MovingPatch<double>& patch) {
@@ -88,9 +68,7 @@ Fault fault_of(const Points<double>& points, const Shape& shape, size_t count, c
     return InputError{field,
                       fmt::format("has {}; {} needs {}", points.size(), to_text(shape), count)};
   }
-  FiniteScan scan;
-  for (const Vec3<double>& p : points) scan.add(p);
-  if (scan.all_finite()) return std::nullopt;
+  if (are_all_finite(points)) return std::nullopt;
   size_t at = 0;  // of a number
   while (is_finite(points[at / 3][static_cast<int>(at % 3)])) ++at;
   return InputError{fmt::format("{}[{}][{}]", field, at / 3, at % 3),
@@ -131,7 +109,7 @@ Fault fault_of(const MovingPatch<double>& patch) {
   const char* const field = patch.has_ends() ? "ends" : "velocities";
   if (Fault fault = fault_of(patch.moves(), patch.shape, moves, field)) return fault;
   if (is_hull(patch) && patch.has_ends()) return InputError{"ends", "a hull has a velocity"};
-  if (!(is_hull(patch) ? is_not_negative(patch.radius) : is_zero(patch.radius))) {
+  if (!is_not_negative(patch.radius) || (!is_hull(patch) && compare(patch.radius, 0) > 0)) {
     const char* accepted = is_hull(patch) ? "a finite number ≥ 0" : "0, as of all but hulls";
     return InputError{"radius", fmt::format("{} is not {}", patch.radius, accepted)};
   }
@@ -153,7 +131,7 @@ bool are_weights(const std::vector<double>& weights) {
   if (weights.empty()) return true;
   // Doubles > 0 are in the order of their bits, infinity and NaNs last. Others have bits ≤ 0.
   std::int64_t least = INT64_MAX, most = INT64_MIN;
-  for (const double w : std::span(weights).first(are_equal(weights) ? 1 : weights.size())) {
+  for (const double w : weights) {
     least = std::min(least, std::bit_cast<std::int64_t>(w));
     most = std::max(most, std::bit_cast<std::int64_t>(w));
   }
@@ -251,11 +229,6 @@ std::optional<Query> with_velocities(const Query& query) {
     patch.ends.clear();
   }
   return out;
-}
-
-Result<void> validate(const Query& query, const std::string& where) {
-  const Fault fault = fault_of(query);
-  return fault ? input_error(where + fault->where, fault->what) : Result<void>();
 }
 
 }  // namespace ccdfuzz

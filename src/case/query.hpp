@@ -122,7 +122,5 @@ std::optional<InputError> fault_of(const Query& query);
 inline bool is_valid(const Query& query) {
   return !fault_of(query);
 }
-/// The same as an error; `where` is the path of the query in its file.
-Result<void> validate(const Query& query, const std::string& where);
 
 }  // namespace ccdfuzz

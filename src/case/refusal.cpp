@@ -25,8 +25,8 @@ bool is_taken(const Query& query, const SearchOptions& options) {
 Answer refusal(const Query& query, const SearchOptions& options) {
   Answer answer;
   answer.verdict = Verdict::kRefused;
-  if (const Result<void> valid = validate(query, ""); !valid) {
-    answer.note = valid.error().message();
+  if (const auto fault = fault_of(query)) {
+    answer.note = fault->message();
   } else if (!is_precision(options.precision)) {
     answer.note = fmt::format("precision: {} is not in (0, 1]", options.precision);
   } else if (is_nan(options.max_seconds)) {

@@ -44,7 +44,7 @@ bool is_inside(const Witness& witness, const Query& query) {
 
 /// Whether the patches come as near as the separation of the query, where it has one.
 bool is_within_separation(const Contact& q) {
-  return q.query.separation > 0 && validate(q.query, "") && check_witness(q.query, q.witness());
+  return q.query.separation > 0 && is_valid(q.query) && check_witness(q.query, q.witness());
 }
 
 class Minimiser {
@@ -149,7 +149,7 @@ class Minimiser {
       Draw random{Random(way)};
       if (keeps_witness_ && place_of(whole) != place_) continue;
       if (keeps_witness_ && !is_within_separation(whole) && !repair(whole, random)) continue;
-      if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
+      if (!(whole.query.t_max >= 0) || !is_valid(whole.query)) continue;
       const Simplicity rank = simplicity_of(whole);
       if (!(rank < rank_)) continue;
       const auto is_it = [&](const auto& f) { return f.second.query == whole.query; };

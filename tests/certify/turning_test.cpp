@@ -172,10 +172,10 @@ TEST_P(CheckTurning, NoOtherProofIsOfBodiesThatTurn) {
 TEST(CheckTurning, ATurnThatComesThroughZeroIsInvalid) {
   Query query = rod_to_point(kAngle);
   query.patches[0].turn->to = {-1, 16};
-  EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.to");
+  EXPECT_EQ(fault_of(query)->where, "patches[0].turn.to");
   query.patches[0].turn = kAngle;
   query.patches[0].turn->centre[2] = HUGE_VAL;
-  EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.centre[2]");
+  EXPECT_EQ(fault_of(query)->where, "patches[0].turn.centre[2]");
   query.patches[0].turn = kAngle;
   EXPECT_TRUE(is_valid(query));
   query.patches[1].turn = kQuaternion;
@@ -277,12 +277,12 @@ TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   Query query = rod_to_point(spin_of(0, 8, 0));
   EXPECT_TRUE(is_valid(query));
   query.t_max = 2;
-  EXPECT_EQ(validate(query, "").error().message(), "t_max: 2 is past 1, where a spin ends");
+  EXPECT_EQ(fault_of(query)->message(), "t_max: 2 is past 1, where a spin ends");
   query.t_max = 1;
   query.patches[0].turn->spin[0] = 0x1p-40;
-  EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity");
+  EXPECT_EQ(fault_of(query)->where, "patches[0].spin.velocity");
   query.patches[0].turn->spin = {1, 2, HUGE_VAL};
-  EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity[2]");
+  EXPECT_EQ(fault_of(query)->where, "patches[0].spin.velocity[2]");
   query.patches[0].turn = kQuaternion;
   query.patches[0].turn->spin = {1, 2, 3};
   EXPECT_FALSE(is_valid(query));

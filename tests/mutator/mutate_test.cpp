@@ -16,7 +16,7 @@ namespace {
 /// What is wrong with q; empty if it is consistent.
 std::string complaint_about(const Contact& q) {
   const Case made = case_of(q);
-  if (const auto valid = validate(q.query, "query"); !valid) return valid.error().message();
+  if (const auto fault = fault_of(q.query)) return fault->message();
   if (q.t.sign() < 0 || made.truth.witness->t > exact(q.query.t_max)) {
     return "the contact is at " + to_text(made.truth.witness->t);
   }

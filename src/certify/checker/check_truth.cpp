@@ -15,7 +15,7 @@ namespace ccdfuzz {
 
 Result<void> check_truth(const Case& value) {
   const Truth& truth = value.truth;
-  CCDFUZZ_TRY_VOID(validate(value.query, ""));
+  if (auto fault = fault_of(value.query)) return tl::unexpected(*std::move(fault));
   if (is_of_bodies(value.query) && (truth.contact_box || truth.contact_root)) {
     return input_error("truth.certificate", "proves nothing of bodies");
   }

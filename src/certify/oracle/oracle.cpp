@@ -249,7 +249,7 @@ bool is_decided_exactly(const Query& query) {
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
-  if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
+  if (const auto fault = fault_of(query)) return undecided(*fault, 0);
   Decision found = find_truth(query, options);
   if (found.truth.collides) {
     found.note.clear();

@@ -364,18 +364,18 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   CCDFUZZ_TRY(out.has_seconds, read_measure(object, "seconds", kLongestAnswer, out.answer.seconds));
   const std::string verdict = text_of(object, "verdict");
   if (verdict == "error") return answer_fault("error", "says that it failed: " + out.answer.note);
-  if (verdict == "miss") {
-    out.answer.verdict = Verdict::kMiss;
-  } else if (verdict == "refused") {
-    out.answer.verdict = Verdict::kRefused;
-  } else if (verdict == "hit") {
-    out.answer.verdict = Verdict::kHit;
-    CCDFUZZ_TRY_VOID(read_toi(object.find("toi"), t_max, out));
-    CCDFUZZ_TRY_VOID(read_uv(object.find("uv"), out));
-  } else if (verdict != "inconclusive") {
+  const auto verdicts = all_of(Verdict{});
+  const auto* const said = std::ranges::find(verdicts, verdict, word_of);
+  if (said == verdicts.end()) {
     return garbage_answer("its verdict is none of hit, miss, inconclusive, refused, error: " +
                           line.substr(0, 80));
-  } else if (const auto toi = number_of(object.find("toi")); toi && *toi >= 0 && *toi <= t_max) {
+  }
+  out.answer.verdict = *said;
+  const auto toi = number_of(object.find("toi"));
+  if (*said == Verdict::kHit) {
+    CCDFUZZ_TRY_VOID(read_toi(object.find("toi"), t_max, out));
+    CCDFUZZ_TRY_VOID(read_uv(object.find("uv"), out));
+  } else if (*said == Verdict::kUndecided && toi && *toi >= 0 && *toi <= t_max) {
     out.answer.toi = toi;
   }
   return out;

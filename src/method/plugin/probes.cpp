@@ -91,7 +91,7 @@ Query decoy_query(const Query& query, const Domain& domain) {
     }
   }
   faster.t_max /= 2;
-  const bool is_promised = validate(faster, "") && is_within_scale(faster, kOrdinaryScale) &&
+  const bool is_promised = is_valid(faster) && is_within_scale(faster, kOrdinaryScale) &&
                            domain.broken_by(faster).empty();
   return is_promised ? faster : turned;
 }
