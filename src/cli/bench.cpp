@@ -72,12 +72,15 @@ std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base
 }
 
 /// ≥ where the budget cut some queries short.
+bool is_bound(const Race::Runner& runner) {
+  return runner.tally.count(Outcome::kUndecided) > 0;
+}
+
 std::string ratio_text(const Race::Runner& runner, const std::optional<double>& times) {
   if (!times) return "-";
   const double ratio = *times;
   const char* format = ratio < 10 ? "{}{:.2f}×" : "{}{:.0f}×";
-  return fmt::format(fmt::runtime(format), runner.tally.count(Outcome::kUndecided) > 0 ? "≥ " : "",
-                     ratio);
+  return fmt::format(fmt::runtime(format), is_bound(runner) ? "≥ " : "", ratio);
 }
 
 /// The cost of each method on the queries of one class, beside the first.
@@ -129,13 +132,18 @@ Table ratio_table(const ClassRaces& races) {
 void print_races(const ClassRaces& races, const BenchOptions& options) {
   print_table(ratio_table(races));
   const bool has_plugin = std::ranges::any_of(options.methods, names_plugin);
+  const bool has_bounds = std::ranges::any_of(
+      races, [](const auto& race) { return std::ranges::any_of(race.second.runners(), is_bound); });
+  const std::string bounds =
+      fmt::format("≥: some queries ended undecided, after {} pops, and would take longer.\n",
+                  *options.search.max_pops);
   print_out(fmt::format(
       "\n{}: mean time of a query. Others: how many times as long all take.\n"
-      "{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
+      "{}{}"
       "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
       "Medians, pops and undecided queries: --json\n"
       "{} a class and method; CPU time of one thread, the methods by turns\n{}",
-      options.methods.front(), mark_note(options.methods), *options.search.max_pops,
+      options.methods.front(), mark_note(options.methods), has_bounds ? bounds : "",
       counted(2 * options.count, "query", "queries"),
       has_plugin ? "Of a plug-in: the wall time that it tells, or to it and back\n" : ""));
 }

@@ -44,10 +44,6 @@ struct CheckedProperty {
   std::string title() const { return title_of(property.name, property.method); }
   bool known_false() const { return property.expected == Expectation::kFails; }
   bool is_finding() const { return tally.failed > 0 && !known_false(); }
-  /// A method that refuses or fails is what a hunt finds.
-  std::string unchecked() const {
-    return property.method.empty() ? "nothing checked" : "nothing checked: a hunt tells why";
-  }
   /// A claim that is known to be false, and these inputs do not show it.
   bool not_refuted() const { return known_false() && tally.failed == 0 && !tally.all_discarded(); }
 
@@ -92,7 +88,10 @@ Table check_table(const std::vector<Property>& properties) {
 
 std::vector<TableCell> cells_of(const CheckedProperty& checked) {
   const CheckTally& tally = checked.tally;
-  const TableCell note = tally.all_discarded()   ? TableCell{checked.unchecked(), true}
+  // A method that refuses or fails is what a hunt finds.
+  const char* const unchecked =
+      checked.property.method.empty() ? "nothing checked" : "nothing checked: a hunt tells why";
+  const TableCell note = tally.all_discarded()   ? TableCell{unchecked, true}
                          : checked.not_refuted() ? TableCell{"not refuted"}
                          : checked.known_false() ? TableCell{"expected failure"}
                                                  : TableCell{""};
@@ -336,8 +335,7 @@ int run_check(const CheckArguments& options, Session& session) {
                   counted(checked, "input", "inputs"), inputs.first, inputs.seed, findings,
                   expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
   if (interrupted) {
-    session.remark("interrupted: {} of {} properties begun", done, chosen.size());
-    return interrupted_exit_code();
+    return session.end_early(fmt::format("{} of {} properties begun", done, chosen.size()));
   }
   return findings + unchecked > 0 ? kCheckFailed : kDone;
 }

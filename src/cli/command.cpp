@@ -346,16 +346,6 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   occupy_standard_descriptors();
   end_on_signals();
   std::set_terminate(end_on_uncaught);
-  try {
-    return parse_and_run_chosen(argc, argv);
-  } catch (const std::exception& error) {
-    session_->end_table();
-    std::ignore = flush_stdout();
-    return complain(ended_by(error), kInternal);
-  }
-}
-
-int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   int code = kDone;
   std::optional<InputError> error;
   try {
@@ -381,6 +371,10 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     print_out(CCDFUZZ_VERSION "\n");
   } catch (const CLI::ParseError& usage) {
     return complain(usage_error(*app_, usage), kBadInput, chosen_command(*app_).get_name());
+  } catch (const std::exception& fault) {
+    session_->end_table();
+    std::ignore = flush_stdout();
+    return complain(ended_by(fault), kInternal);
   }
   if (error && chosen_) name_option(chosen_command(*app_), *error);
   // What was printed before an error must appear before its message. An unwritable stdout is an

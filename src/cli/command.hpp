@@ -203,7 +203,6 @@ class CommandLine {
   int parse_and_run(int argc, char** argv);
 
  private:
-  int parse_and_run_chosen(int argc, char** argv);
   void add_help();
   Command add_command(const std::string& name, const std::string& description,
                       std::function<int()> run);

@@ -4,18 +4,15 @@
 
 namespace ccdfuzz {
 
-CaseWriter data_set_writer(const std::string& path) {
-  CaseWriter writer = need(CaseWriter::open(path));
+MadeSet::MadeSet(const std::string& to) : path(to), writer(need(CaseWriter::open(to))) {
   if (!is_stream(path)) need(refuse_read_only(costs_path(path)));
   leave_stdout_to(path);
-  return writer;
 }
 
-void finish_data_set(CaseWriter& cases, const std::string& path,
-                     const std::vector<GenerationCost>& costs) {
-  need(cases.complete());
+void MadeSet::finish() {
+  need(writer.complete());
   need(write_costs(path, costs));
-  need(cases.finish());  // last: where the cases are, all is
+  need(writer.finish());  // last: where the cases are, all is
 }
 
 void MadeSet::add(const MadeCases& made) {

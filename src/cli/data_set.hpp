@@ -10,15 +10,6 @@
 
 namespace ccdfuzz {
 
-/// A data set on its way into its file. Standard output then takes cases alone (leave_stdout_to).
-/// Throws BadInput: as CaseWriter::open; costs beside it that could not be replaced.
-CaseWriter data_set_writer(const std::string& path);
-
-/// Lets the data set appear. Beside it stays what its cases cost to make, and nothing without
-/// costs. Throws BadInput: of a file.
-void finish_data_set(CaseWriter& cases, const std::string& path,
-                     const std::vector<GenerationCost>& costs = {});
-
 /// The cases of one construction and what they cost: a line of the run file of `generate`.
 struct MadeCases {
   std::uint64_t index = 0;  ///< which construction of the run
@@ -32,9 +23,11 @@ struct MadeCases {
   }
 };
 
-/// Made cases on their way into a data set, beside which is what they cost.
+/// A data set on its way into its file, beside which is what its cases cost to make.
 struct MadeSet {
-  explicit MadeSet(const std::string& to) : path(to), writer(data_set_writer(to)) {}
+  /// Standard output then takes cases alone (leave_stdout_to). Throws BadInput: as
+  /// CaseWriter::open; costs beside it that could not be replaced.
+  explicit MadeSet(const std::string& to);
 
   std::string path;
   CaseWriter writer;
@@ -43,8 +36,8 @@ struct MadeSet {
   std::uint64_t trees = 0;
 
   void add(const MadeCases& made);
-  /// As finish_data_set.
-  void finish() { finish_data_set(writer, path, costs); }
+  /// Lets the data set appear, and its costs if there are any. Throws BadInput: of a file.
+  void finish();
   /// Shows what the cases cost, and then how many there are. of: behind that number.
   void show(Session& session, const std::string& of = "") const;
 };

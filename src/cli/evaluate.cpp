@@ -64,21 +64,18 @@ Result<RunHeader> header_of(const std::vector<std::string>& files,
 void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs,
                       const EvaluateArguments& arguments, std::uint64_t cases) {
   const std::vector<Row> methods = by_methods(rows);
-  if (!arguments.by_class) {
-    std::vector<Row> shown = methods;
-    for (Row& row : shown) row.key.method = marked(row.key.method);
-    print_table(methods_table(shown));
-    print_out("\n");
-  } else {
+  if (arguments.by_class) {
     for (const auto& [title, table, note] : evaluation_tables(rows, costs)) {
       print_out(fmt::format("{}:\n", title));
       print_table(table);
       print_out(note + "\n");
     }
-  }
-  print_out(column_notes(methods));
-  if (!arguments.by_class) {
-    print_out(mark_note(arguments.how.methods) +
+    print_out(column_notes(methods));
+  } else {
+    std::vector<Row> shown = methods;
+    for (Row& row : shown) row.key.method = marked(row.key.method);
+    print_table(methods_table(shown));
+    print_out("\n" + column_notes(methods) + mark_note(arguments.how.methods) +
               "By class, and beside the paper's tables: --by-class\n");
   }
   std::uint64_t contacts = 0, absences = 0, queries = 0;
@@ -123,11 +120,16 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   Rows rows;
   ReportRows page;
   tbb::enumerable_thread_specific<MethodSet> methods;
+  std::uint64_t past_motion = 0;  // queries
   session.each_case<EvaluatedCase>(
       CasesToEvaluate(files, shard, earlier ? &*earlier : nullptr),
       [&](CaseToEvaluate& item) { return need(evaluated(item, options, methods.local())); },
       [&](const CaseToEvaluate& item, const EvaluatedCase& answered) {
         rows.add(answered);
+        if (const size_t factors = options.horizon_factors.size();
+            factors > 0 && item.value.truth.contact_by()) {
+          past_motion += factors - answered.answers.size() / options.methods.size();
+        }
         const double precision = options.search_for(item.value).precision;
         if (!arguments.page.empty()) page.add(answered, item.value, precision);
         if (kept && is_anew(item)) need(kept->append(to_json(answered)));
@@ -140,6 +142,10 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     if (kept) return code;
   }
   session.note_truths();
+  if (past_motion > 0) {
+    session.remark("{} not asked: --t-max-factors end them after 1, where the motion ends",
+                   counted(past_motion, "query is", "queries are"));
+  }
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->rename(answers));

@@ -41,24 +41,6 @@ struct ExportOptions {
   bool round = false;
 };
 
-/// The cases of files one after the other, each checked.
-class CheckedCases {
- public:
-  CheckedCases(const std::vector<std::string>& files, Session& session)
-      : cases_(files), session_(session) {}
-
-  /// The next case. At the end nothing; then it says how many numbers were rounded.
-  std::optional<NamedCase> next() {
-    auto named = need(next_checked(cases_));
-    named ? session_.counts.add(named->value) : session_.note_rounded();
-    return named;
-  }
-
- private:
-  CaseStream cases_;
-  Session& session_;
-};
-
 /// The tests of cases, and how many cases have none.
 struct Exported {
   std::uint64_t tests = 0, left_out = 0;
@@ -75,8 +57,8 @@ Exported export_tests(const ExportOptions& options, TestFramework framework, Ses
   OutputFile out = need(OutputFile::create(options.output));
   Exported done;
   need(out.write(test_preamble(framework)));
-  CheckedCases cases(options.files, session);
-  while (const auto named = cases.next()) {
+  CaseStream cases(options.files);
+  while (const auto named = need(session.next_case(cases))) {
     const auto test = done.take(test_snippet(*named, done.tests + 1, framework), session);
     if (test) need(out.write(*test));
   }
@@ -126,8 +108,8 @@ std::string export_csv(const ExportOptions& options, Session& session) {
   OutputFile out = need(OutputFile::create(options.output));
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
-  CheckedCases cases(options.files, session);
-  for (; const auto named = cases.next(); ++count) {
+  CaseStream cases(options.files);
+  for (; const auto named = need(session.next_case(cases)); ++count) {
     const CsvLayout own = layout_of(*named);
     if (layout && *layout != own) {
       throw BadInput{{named->id, fmt::format("is {}, but the file holds {} so far", name_of(own),
@@ -136,6 +118,7 @@ std::string export_csv(const ExportOptions& options, Session& session) {
     layout = own;
     need(out.write(to_csv(exported_rows(*named, options.round, rounded))));
   }
+  session.note_rounded();
   need(out.commit());
   const std::string& path = options.output;
   if (!is_stream(path) && csv_layout_of_path(path) != layout) {
@@ -150,12 +133,10 @@ std::string export_csv(const ExportOptions& options, Session& session) {
 
 /// The test of a case in a folder: of a.json a.cpp, and of line 3 of a.jsonl a-3.cpp.
 std::string test_path(const std::string& folder, const NamedCase& named, std::string_view ending) {
-  const size_t colon = named.id.rfind(':'), slash = named.id.rfind('/');
-  const bool has_line = colon != named.id.npos && (slash == named.id.npos || colon > slash);
-  const std::string path = has_line ? named.id.substr(0, colon) : named.id;
-  const std::string name = std::filesystem::path(path).filename().string();
-  return fmt::format("{}{}{}{}", folder, name.substr(0, name.find(".json")),
-                     has_line ? "-" + named.id.substr(colon + 1) : "", ending);
+  const std::string name = std::filesystem::path(named.file).filename().string();
+  std::string line = named.id.substr(named.file.size());
+  if (!line.empty()) line.front() = '-';
+  return fmt::format("{}{}{}{}", folder, name.substr(0, name.find(".json")), line, ending);
 }
 
 /// Nothing is written before all cases are read.
@@ -164,8 +145,8 @@ Exported export_engine_tests(const ExportOptions& options, const EngineTemplate&
   const bool is_folder = options.output.ends_with('/');
   std::map<std::string, std::string> tests;  // by path
   Exported done;
-  CheckedCases cases(options.files, session);
-  while (const auto named = cases.next()) {
+  CaseStream cases(options.files);
+  while (const auto named = need(session.next_case(cases))) {
     const auto text = done.take(engine_test(*named, engine.engine), session);
     if (!text) continue;
     const std::string path =
@@ -198,6 +179,7 @@ int run_export(const ExportOptions& options, Session& session) {
   }
   const auto [tests, left_out] = engine != nullptr ? export_engine_tests(options, *engine, session)
                                                    : export_tests(options, *framework, session);
+  session.note_rounded();
   std::string summary = counted(tests, "test", "tests");
   if (left_out > 0) summary += "; left out: " + counted(left_out, "case", "cases");
   session.summary(summary);

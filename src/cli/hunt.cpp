@@ -117,13 +117,9 @@ std::uint64_t count_of(const HuntReport& report, bool is_new) {
 
 /// Below the table: what its columns count.
 std::string hunt_notes(const HuntReport& report) {
-  const auto is_plugin = [](const HuntCell& cell) { return names_plugin(cell.method); };
   std::string notes;
   if (report.course.back().mutants > 0) {
     notes += "The table counts drawn queries; mutants are only searched for counterexamples.\n";
-  }
-  if (std::ranges::any_of(report.cells, is_plugin)) {
-    notes += "mean: with the way to the plug-in's process and back\n";
   }
   if (any_is_traced(report.cells)) {
     notes += "lost: mutants whose known contact the method's tests discard\n";
@@ -219,8 +215,7 @@ bool fails(const HuntReport& report, FailOn fail_on) {
 /// A method, with a name that is no plug-in's.
 Result<std::string> parse_built_in(const std::string& where, const std::string& text) {
   if (names_plugin(text)) return input_error(where, text + " is a plug-in, not built in");
-  if (const auto info = method_info(text); !info) return input_error(where, info.error().what);
-  return text;
+  return parse_method(where, text);
 }
 
 Result<Outcome> parse_until(const std::string& where, const std::string& text) {
@@ -234,13 +229,6 @@ std::vector<std::string> methods_by_default() {
   std::vector<std::string> methods = default_methods();
   methods.insert(methods.begin(), "trad");
   return methods;
-}
-
-/// Throws BadInput where an option would change nothing, or leave nothing to draw.
-void check_meant(const HuntGround& asked, const HuntGround& ground) {
-  if (asked.uniform && !ground.bodies && ground.shapes && !ground.are_linear()) {
-    throw BadInput{{"--uniform", "is for bodies or linear patches, and --shape names others"}};
-  }
 }
 
 /// Says whose answers depend on more than the query, in the first find of each that shows it.
@@ -262,7 +250,10 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
     options.hunt.methods = {"oracle"};
   }
   options.hunt.ground = need_at("--methods", narrowed(options.hunt.ground, options.hunt.methods));
-  check_meant(arguments.hunt.ground, options.hunt.ground);
+  const HuntGround& ground = options.hunt.ground;
+  if (ground.uniform && !ground.bodies && ground.shapes && !ground.are_linear()) {
+    throw BadInput{{"--uniform", "is for bodies or linear patches, and --shape names others"}};
+  }
   Store store = need(Store::open(options.corpus));
   // Whether the page can be written is to be known before the work is done.
   if (!options.page.empty()) need(make_writable_folder(options.page));

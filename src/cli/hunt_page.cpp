@@ -24,6 +24,40 @@ std::string path_word(const std::string& path) {
   return shell_word((path.starts_with('-') ? "./" : "") + path);
 }
 
+/// How many mutants each method was asked about, or traced, and how many of them its tests lost, if
+/// any is traced.
+void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
+                        const std::vector<HuntCell>& cells) {
+  columns.push_back({{"mutants"}, [](const HuntCell& cell) {
+                       return TableCell{fmt::format("{}", cell.bred.mutants)};
+                     }});
+  if (!any_is_traced(cells)) return;
+  columns.push_back({{"lost"}, [](const HuntCell& cell) {
+                       return names_plugin(cell.method)
+                                  ? TableCell{"-"}
+                                  : count_cell(cell.bred.lost, cell.bred.mutants, true);
+                     }});
+}
+
+/// A cell for each method, over all classes.
+std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
+  std::vector<HuntCell> sums;
+  for (const HuntCell& cell : cells) {
+    const auto sum = std::ranges::find(sums, cell.method, &HuntCell::method);
+    if (sum == sums.end()) {
+      sums.push_back(cell);
+      continue;
+    }
+    sum->tally.merge(cell.tally);
+    sum->beside.merge(cell.beside);
+    sum->bred.mutants += cell.bred.mutants;
+    sum->bred.lost += cell.bred.lost;
+    const auto& margin = cell.bred.margin;
+    if (margin) sum->bred.margin = std::min(*margin, sum->bred.margin.value_or(*margin));
+  }
+  return sums;
+}
+
 }  // namespace
 
 std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect) {
@@ -62,10 +96,8 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
   for (const auto& [method, expected] : entry.value.expect) {
     const Outcome outcome = expected.outcome;
     const bool allowed = is_admitted(method);
-    if (allowed) {
-      if (const auto made = make_method(method); !made) {
-        return input_error(entry.id + ": expect", made.error().what);
-      }
+    if (const auto made = make_method(method); allowed && !made) {
+      return input_error(entry.id + ": expect", made.error().what);
     }
     GivenAnswer answer;
     answer.method = method;
@@ -83,54 +115,6 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
   reported.value = entry.value;
   return reported;
 }
-
-namespace {
-
-/// The mean time of an answer.
-Column<HuntCell> mean_column() {
-  Column<HuntCell> column = measured_column<HuntCell>("mean", [](const HuntCell& cell) {
-    return duration_text(cell.cpu_seconds / static_cast<double>(cell.tally.n));
-  });
-  column.least_width = 7;  // of any time
-  return column;
-}
-
-/// How many mutants each method was asked about, or traced, and how many of them its tests lost, if
-/// any is traced.
-void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
-                        const std::vector<HuntCell>& cells) {
-  columns.push_back({{"mutants"}, [](const HuntCell& cell) {
-                       return TableCell{fmt::format("{}", cell.bred.mutants)};
-                     }});
-  if (!any_is_traced(cells)) return;
-  columns.push_back({{"lost"}, [](const HuntCell& cell) {
-                       return names_plugin(cell.method)
-                                  ? TableCell{"-"}
-                                  : count_cell(cell.bred.lost, cell.bred.mutants, true);
-                     }});
-}
-
-/// A cell for each method, over all classes.
-std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
-  std::vector<HuntCell> sums;
-  for (const HuntCell& cell : cells) {
-    const auto sum = std::ranges::find(sums, cell.method, &HuntCell::method);
-    if (sum == sums.end()) {
-      sums.push_back(cell);
-      continue;
-    }
-    sum->tally.merge(cell.tally);
-    sum->beside.merge(cell.beside);
-    sum->cpu_seconds += cell.cpu_seconds;
-    sum->bred.mutants += cell.bred.mutants;
-    sum->bred.lost += cell.bred.lost;
-    const auto& margin = cell.bred.margin;
-    if (margin) sum->bred.margin = std::min(*margin, sum->bred.margin.value_or(*margin));
-  }
-  return sums;
-}
-
-}  // namespace
 
 bool any_is_traced(const std::vector<HuntCell>& cells) {
   return std::ranges::any_of(cells, [](const HuntCell& cell) {
@@ -154,10 +138,12 @@ Table hunt_table(const std::vector<HuntCell>& of_classes, bool by_class) {
   add_outcomes(columns,
                met_in(cells, {Outcome::kError, Outcome::kFalsePositive, Outcome::kUnknown}), false);
   add_refused_column(columns, cells);
-  columns.push_back(mean_column());
+  columns.push_back(time_column<HuntCell>("mean", &LogHistogram::mean, false));
   if (std::ranges::any_of(cells, [](const HuntCell& cell) { return cell.beside.count() > 0; })) {
-    columns.push_back(measured_column<HuntCell>(
-        "beside", [](const HuntCell& cell) { return duration_text(cell.beside.mean()); }));
+    columns.push_back({{"beside", Align::kRight, kTimeWidth}, [](const HuntCell& cell) {
+                         const bool is_timed = cell.beside.count() > 0;
+                         return TableCell{is_timed ? duration_text(cell.beside.mean()) : "-"};
+                       }});
   }
   add_mutant_columns(columns, cells);
   return table_of(cells, columns, [by_class](const HuntCell& a, const HuntCell& b) {

@@ -86,7 +86,7 @@ int run_import(const ImportOptions& options, Session& session) {
   if (!options.csv.truths.empty() && files.size() > 1) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
-  CaseWriter writer = data_set_writer(options.output);
+  MadeSet set(options.output);
   CsvOptions csv = options.csv;
   csv.round_ways = csv.round;
   session.begin_table({{"query", Align::kLeft},
@@ -105,12 +105,12 @@ int run_import(const ImportOptions& options, Session& session) {
                     {contact_text(query.collides)}};
           });
         }
-        need(writer.write(named.value));
+        need(set.writer.write(named.value));
       });
   if (session.interrupted()) {
     return session.end_unwritten(counts.queries, "queries", options.output);
   }
-  finish_data_set(writer, options.output);
+  set.finish();
   session.end_table(true);
   session.summary(counts.summary());
   return kDone;

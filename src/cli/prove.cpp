@@ -70,7 +70,7 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
 }
 
 int run_prove(const ProveOptions& options, Session& session) {
-  CaseWriter destination = data_set_writer(options.output);
+  MadeSet set(options.output);
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t refuted = 0;
@@ -83,13 +83,14 @@ int run_prove(const ProveOptions& options, Session& session) {
         if (session.json || completed.refuted || !completed.value.truth.collides) {
           show(named.id, completed, session);
         }
-        need(destination.write(completed.value));
+        need(set.writer.write(completed.value));
       });
   session.end_table(true);
   if (session.interrupted()) {
     return session.end_unwritten(session.counts.cases, "cases", options.output);
   }
-  finish_data_set(destination, options.output, need(read_costs(options.files)));
+  set.costs = need(read_costs(options.files));
+  set.finish();
   std::string summary =
       fmt::format("{}: {}, {}, {} undecided", counted(session.counts.cases, "case", "cases"),
                   counted(counts["hit"], "hit", "hits"), counted(counts["miss"], "miss", "misses"),

@@ -35,6 +35,12 @@ void CaseCount::add(const Case& value) {
   }
 }
 
+Result<std::optional<NamedCase>> Session::next_case(CaseStream& cases) {
+  auto next = next_checked(cases);
+  if (next && *next) counts.add((*next)->value);
+  return next;
+}
+
 void Session::note_rounded() {
   if (counts.rounded_queries == 0) return;
   remark("{} numbers of {} queries are no doubles and were rounded", counts.rounded,

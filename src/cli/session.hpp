@@ -142,6 +142,8 @@ class Session {
     progress_.clear();
     if (!interrupted()) note_rounded();
   }
+  /// The next case of a stream, checked and counted. Errors: as next_checked.
+  Result<std::optional<NamedCase>> next_case(CaseStream& cases);
   /// Says on stderr how many numbers of the cases were rounded.
   void note_rounded();
   /// The same of truths that are not as they should be.

@@ -12,17 +12,6 @@ namespace ccdfuzz {
 
 namespace {
 
-std::vector<Table::Column> trace_columns() {
-  return {method_column(),
-          {"witness", Align::kLeft},
-          {"level"},
-          {"axis"},
-          {"below", Align::kLeft},
-          {"margin"},
-          {"slack"},
-          {"pairs"}};
-}
-
 /// One line for people. Level and axis are those of the loss, or of the smallest margin if kept.
 std::vector<TableCell> trace_cells(const std::string& method, const Trace& trace) {
   TableCell level, axis, below, margin, slack;
@@ -119,7 +108,14 @@ int run_trace(const TraceArguments& options, Session& session) {
                                              "traced",
                                              method)}};
   }
-  session.begin_table(trace_columns());
+  session.begin_table({method_column(),
+                       {"witness", Align::kLeft},
+                       {"level"},
+                       {"axis"},
+                       {"below", Align::kLeft},
+                       {"margin"},
+                       {"slack"},
+                       {"pairs"}});
   std::uint64_t traces = 0, lost = 0, refused = 0, left_out = 0;
   std::optional<InputError> first_why_not;
   tbb::enumerable_thread_specific<MethodSet> methods;

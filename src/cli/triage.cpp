@@ -205,9 +205,8 @@ class TriageRun {
       const std::uint64_t refuting = triage.tally().refuting;
       if (case_file_kind(file) || file.ends_with(".csv")) {
         for (CaseStream cases({file}); !is_over();) {
-          CCDFUZZ_TRY(const auto input, next_checked(cases));
+          CCDFUZZ_TRY(const auto input, session_.next_case(cases));
           if (!input) break;
-          session_.counts.add(input->value);
           add(input->id, input->value);
         }
       } else {

@@ -36,7 +36,7 @@ EvaluatedCase ask_all(const CaseToEvaluate& item, const CheckedCase& known,
       evaluated.answers.push_back(answer_of(asked, factor, spec, methods[spec], search));
     }
   };
-  if (options.horizon_factors.empty() || !item.value.truth.witness) {
+  if (options.horizon_factors.empty() || !known.contact_by()) {
     ask_up_to(known, std::nullopt);
     return evaluated;
   }

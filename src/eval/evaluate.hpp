@@ -45,8 +45,8 @@ class CasesToEvaluate {
 
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
-  /// Multiples ≥ 1 of the witness's time to ask a case up to. Without a witness it is asked once,
-  /// unchanged. Empty: every case is.
+  /// Multiples ≥ 1 of the time by which a contact is known, to ask a case up to. Without a contact
+  /// it is asked once, unchanged. Empty: every case is.
   std::vector<double> horizon_factors;
   /// Limits of one case.
   std::function<SearchOptions(const Case&)> search_for;

@@ -78,8 +78,9 @@ void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost) {
   }
 }
 
-Table generation_table(const std::vector<GenerationCost>& costs) {
+Table generation_table(std::vector<GenerationCost> costs) {
   GenerationCost total;
+  total.contact = "all";
   for (const GenerationCost& cost : costs) total += cost;
   std::erase_if(total.discarded, [](const auto& step) { return step.second == 0; });
   std::vector<Table::Column> columns = {
@@ -87,28 +88,21 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
       {"each", Align::kRight, 7}, {"paper's", Align::kRight, 7}, {"begun"}};
   for (const auto& [step, count] : total.discarded) columns.push_back({step});
   Table table(columns);
-  const auto add = [&table, &total](GenerationCost cost, const std::string& papers) {
+  if (costs.size() > 1) costs.push_back(total);
+  for (GenerationCost& cost : costs) {
+    if (&cost != &costs.front() && cost.contact != (&cost)[-1].contact) table.start_group();
+    const std::optional<double> papers = paper_generation_seconds(cost.contact, cost.kind);
     std::vector<TableCell> cells = {
         {cost.contact},
         {cost.kind},
         {fmt::format("{}", cost.cases)},
         {cost.cases == 0 ? "-" : duration_text(cost.cpu_seconds / static_cast<double>(cost.cases))},
-        {papers},
+        {papers ? duration_text(*papers) : "-"},
         {fmt::format("{}", cost.begun)}};
     for (const auto& [step, all] : total.discarded) {
       cells.push_back({count_text(discarded_in(cost, step), cost.begun)});
     }
     table.add_row(std::move(cells));
-  };
-  for (const GenerationCost& cost : costs) {
-    if (&cost != &costs.front() && cost.contact != (&cost)[-1].contact) table.start_group();
-    const std::optional<double> papers = paper_generation_seconds(cost.contact, cost.kind);
-    add(cost, papers ? duration_text(*papers) : "-");
-  }
-  if (costs.size() > 1) {
-    total.contact = "all";
-    table.start_group();
-    add(total, "-");
   }
   return table;
 }

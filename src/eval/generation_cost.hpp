@@ -49,6 +49,6 @@ void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost);
 
 /// Table 4: counts, CPU time of each accepted case with its share of what was discarded, beside the
 /// paper's. And the discards of each step that had some.
-Table generation_table(const std::vector<GenerationCost>& costs);
+Table generation_table(std::vector<GenerationCost> costs);
 
 }  // namespace ccdfuzz

@@ -8,10 +8,10 @@ namespace ccdfuzz {
 
 std::optional<double> horizon_of(const Case& known, double factor) {
   CCDFUZZ_VERIFY(factor >= 1);
-  if (!known.truth.witness) return std::nullopt;
-  const Rational& contact = known.truth.witness->t;
-  const Rational end = contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
-                                    : Rational(contact * exact(factor));
+  const std::optional<Rational> contact = known.truth.contact_by();
+  if (!contact) return std::nullopt;
+  const Rational end = *contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
+                                     : Rational(*contact * exact(factor));
   const double t_max = round_up(end);
   const bool is_asked = std::isfinite(t_max) && !is_past_motion(known.query, t_max);
   return is_asked ? std::optional(t_max) : std::nullopt;

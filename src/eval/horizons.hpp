@@ -12,9 +12,9 @@ namespace ccdfuzz {
 /// and well past it. A query that ends at the contact hides every toi that is late.
 inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 
-/// Another t_max to ask the case up to (with_t_max): factor · t*, t* the witness's time, rounded
-/// up; factor ≥ 1. Where t* = 0, (factor − 1) · t_max. nullopt if it has no witness, or the product
-/// is no finite double, or past 1 of patches with ends or that turn.
+/// Another t_max to ask the case up to (with_t_max): factor · t*, rounded up, t* the time by which
+/// a contact is known; factor ≥ 1. Where t* = 0, (factor − 1) · t_max. nullopt if none is known, or
+/// the product is no finite double, or past 1 of patches with ends or that turn.
 std::optional<double> horizon_of(const Case& known, double factor);
 
 /// How a case is put to methods. A positive one of patches is asked at t* and past it

@@ -23,12 +23,12 @@ std::string rate_text(const PaperRate& rate) {
                      100.0 * static_cast<double>(rate.count) / static_cast<double>(rate.total));
 }
 
-using PaperText = std::optional<std::string> (*)(const PaperResult& paper);
+using PaperText = std::string (*)(const PaperResult& paper);
 
 Column<Row> paper_column(const char* title, PaperText text) {
   return {{title}, [text](const Row& row) {
             const auto paper = paper_result(row.key.contact, row.key.kind, row.key.method);
-            return TableCell{(paper ? text(*paper) : std::nullopt).value_or("-")};
+            return TableCell{paper ? text(*paper) : "-"};
           }};
 }
 
@@ -60,22 +60,13 @@ std::vector<Column<Row>> key_columns(bool kinds, bool horizons) {
   return columns;
 }
 
-/// As wide as any time is, so that the layout of a table does not depend on times.
-Column<Row> time_column(const char* title, double (LogHistogram::*of)() const) {
-  Column<Row> column = measured_column<Row>(
-      title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
-  column.least_width = 7;
-  return column;
-}
-
 Table paper_table(std::vector<Row> rows) {
   std::erase_if(rows, [](const Row& row) { return row.tally.n == 0; });  // all refused
   std::vector<Column<Row>> columns = key_columns(true, false);
   columns.insert(
       columns.end(),
-      {time_column("mean", &LogHistogram::mean),
-       paper_column("paper's",
-                    [](const PaperResult& p) { return std::optional(duration_text(p.seconds)); }),
+      {time_column<Row>("mean", &LogHistogram::mean),
+       paper_column("paper's", [](const PaperResult& p) { return duration_text(p.seconds); }),
        {{"FN missed"},
         [](const Row& row) {
           const std::uint64_t missed = row.tally.count(Outcome::kMissed);
@@ -83,17 +74,15 @@ Table paper_table(std::vector<Row> rows) {
         }},
        paper_column("paper's FN",
                     [](const PaperResult& p) {
-                      const auto& misses = p.false_negatives;
-                      return misses ? std::optional(rate_text(*misses)) : std::nullopt;
+                      return p.false_negatives ? rate_text(*p.false_negatives) : "-";
                     }),
        {{"FP"},
         [](const Row& row) {
           const std::uint64_t wrong = row.tally.count(Outcome::kFalsePositive);
           return TableCell{rate_text({wrong, row.tally.judged_negatives})};
         }},
-       paper_column("paper's FP", [](const PaperResult& p) {
-         return std::optional(rate_text(p.false_positives));
-       })});
+       paper_column("paper's FP",
+                    [](const PaperResult& p) { return rate_text(p.false_positives); })});
   add_outcomes(columns, met_in(rows, {Outcome::kLate, Outcome::kUndecided, Outcome::kUnknown,
                                       Outcome::kError}));
   return table_of(rows, columns, &are_beside);
@@ -149,10 +138,10 @@ Table methods_table(const std::vector<Row>& rows) {
   add_outcomes(columns, met_in(rows, {Outcome::kUnknown, Outcome::kError}));
   add_late_column(columns, rows);
   add_refused_column(columns, rows);
-  columns.insert(
-      columns.end(),
-      {time_column("mean", &LogHistogram::mean), time_column("median", &LogHistogram::median),
-       time_column("p99", &LogHistogram::p99), memory_column("memory", &LogHistogram::mean)});
+  columns.insert(columns.end(), {time_column<Row>("mean", &LogHistogram::mean),
+                                 time_column<Row>("median", &LogHistogram::median),
+                                 time_column<Row>("p99", &LogHistogram::p99),
+                                 memory_column("memory", &LogHistogram::mean)});
   return table_of(rows, columns, &are_beside);
 }
 
@@ -162,11 +151,11 @@ Table performance_table(const std::vector<Row>& rows) {
   const bool horizons =
       std::ranges::any_of(rows, [](const Row& row) { return row.key.factor.has_value(); });
   std::vector<Column<Row>> columns = key_columns(kinds, horizons);
-  columns.insert(
-      columns.end(),
-      {asked_column<Row>(), time_column("mean", &LogHistogram::mean),
-       time_column("median", &LogHistogram::median), time_column("p99", &LogHistogram::p99),
-       memory_column("memory", &LogHistogram::mean), memory_column("p99 mem", &LogHistogram::p99)});
+  columns.insert(columns.end(), {asked_column<Row>(), time_column<Row>("mean", &LogHistogram::mean),
+                                 time_column<Row>("median", &LogHistogram::median),
+                                 time_column<Row>("p99", &LogHistogram::p99),
+                                 memory_column("memory", &LogHistogram::mean),
+                                 memory_column("p99 mem", &LogHistogram::p99)});
   add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive,
                          Outcome::kUndecided, Outcome::kUnknown, Outcome::kError});
   add_late_column(columns, rows);
@@ -206,7 +195,8 @@ std::vector<NamedTable> evaluation_tables(const Rows& rows,
   };
   add("Table 1, beside the paper's", paper_table_1(rows), unproven_note(rows));
   add("Table 2, beside the paper's", paper_table_2(rows), unproven_note(rows));
-  add("Table 3, beside the paper's", paper_table_3(rows));
+  add("Table 3, beside the paper's", paper_table_3(rows),
+      "Rates are of contacts, or of absences; the paper's are of all its queries\n");
   add("Table 4: making the cases, beside the paper's", generation_table(costs), kPaperNote);
   return tables;
 }
@@ -218,6 +208,9 @@ Result<void> write_tables(const std::string& folder, const Rows& rows,
     markdown +=
         fmt::format("{}## {}\n\n{}", markdown.empty() ? "" : "\n", title, table.to_markdown());
     if (!note.empty()) markdown += "\n" + note;
+  }
+  if (const std::string notes = column_notes(by_methods(rows)); !notes.empty()) {
+    markdown += "\n" + notes;
   }
   for (const GenerationCost& cost : costs) lines += to_json(cost) + "\n";
   for (const Row& row : by_kinds(rows)) lines += to_json(row) + "\n";

@@ -43,11 +43,18 @@ Column<Row> text_column(const char* title, const Text& text) {
           [text](const Row& row) { return TableCell{std::string(text(row))}; }};
 }
 
-/// A measurement of the answers: "-" where there was none.
-template <class Row, class Text>
-Column<Row> measured_column(const char* title, const Text& text) {
-  return {{title}, [text](const Row& row) {
-            return TableCell{row.tally.seconds.count() > 0 ? text(row) : "-"};
+/// As wide as any time is, so that the layout of a table does not depend on times.
+inline constexpr size_t kTimeWidth = 7;
+
+/// A time of the answers: "-" where there was none. has_mark: "≥" where any of them is undecided.
+template <class Row>
+Column<Row> time_column(const char* title, double (LogHistogram::*of)() const,
+                        bool has_mark = true) {
+  return {{title, Align::kRight, kTimeWidth}, [of, has_mark](const Row& row) {
+            const LogHistogram& seconds = row.tally.seconds;
+            if (seconds.count() == 0) return TableCell{"-"};
+            const bool is_bound = has_mark && row.tally.count(Outcome::kUndecided) > 0;
+            return TableCell{(is_bound ? "≥ " : "") + duration_text((seconds.*of)())};
           }};
 }
 
@@ -88,13 +95,14 @@ Column<Row> asked_column() {
   return {{"n"}, [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
 }
 
-/// Below a table: what its columns of false positives, late hits and refused queries count. Empty
-/// if there is nothing in them.
+/// Below a table: what its columns of false positives, late hits and refused queries count, and
+/// what times are bounds. Empty if there is nothing in them.
 template <class Row>
 std::string column_notes(const std::vector<Row>& rows) {
   const auto wrong = [](const Row& row) { return row.tally.count(Outcome::kFalsePositive) > 0; };
   const auto late = [](const Row& row) { return row.tally.late_by > 0; };
   const auto refused = [](const Row& row) { return row.tally.not_asked() > 0; };
+  const auto undecided = [](const Row& row) { return row.tally.count(Outcome::kUndecided) > 0; };
   return std::string(std::ranges::any_of(rows, wrong)
                          ? "FP: false positives, hits although nothing touches\n"
                          : "") +
@@ -103,6 +111,9 @@ std::string column_notes(const std::vector<Row>& rows) {
               : "") +
          (std::ranges::any_of(rows, refused)
               ? "not asked: queries that a method refused; `ccdfuzz query` says why\n"
+              : "") +
+         (std::ranges::any_of(rows, undecided)
+              ? "Where queries ended undecided, times are at least those\n"
               : "");
 }
 

@@ -101,17 +101,14 @@ void Breeder::step(MethodSet& methods, const SearchOptions& search,
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;
   if (traceable_) ++tally_.mutants;
-  if (traceable_ && trace_and_note(mutant, methods)) {
-    drift(drifting_, std::move(mutant), random_);
-    return;
-  }
-  const Case made = case_of(mutant);
-  if (traceable_) {
-    ++tally_.lost;
-  } else {
-    drift(drifting_, std::move(mutant), random_);
-  }
-  if (ask_about(made, methods, search, found) && !traceable_) ++tally_.mutants;
+  const bool is_lost = traceable_ && !trace_and_note(mutant, methods);
+  if (is_lost) ++tally_.lost;
+  // What cannot be traced is asked about, and drifts.
+  std::optional<Case> asked;
+  if (is_lost || !traceable_) asked = case_of(mutant);
+  if (!is_lost) drift(drifting_, std::move(mutant), random_);
+  const bool is_taken = asked && ask_about(*asked, methods, search, found);
+  if (is_taken && !traceable_) ++tally_.mutants;
 }
 
 bool Breeder::ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,

@@ -34,13 +34,12 @@ constexpr double kSlice = 0.02;
 
 /// The result of a turn.
 struct Done {
-  Tally tally;                ///< for a draw
-  LogHistogram beside;        ///< for a draw, as of HuntCell
-  double cpu_seconds = 0;     ///< in all
-  double draw_seconds = 0;    ///< the part for making the draw
-  double answer_seconds = 0;  ///< the part for answers that were no refusals
-  bool bred = true;           ///< false: there was nothing to make mutants of
-  BreedTally population;      ///< for a breeding turn
+  Tally tally;              ///< for a draw
+  LogHistogram beside;      ///< for a draw, as of HuntCell
+  double cpu_seconds = 0;   ///< in all
+  double draw_seconds = 0;  ///< the part for making the draw
+  bool bred = true;         ///< false: there was nothing to make mutants of
+  BreedTally population;    ///< for a breeding turn
   std::vector<std::pair<Failure, Case>> failures;
   std::vector<Failure> met;  ///< the new ones among them
 };
@@ -128,7 +127,7 @@ class Hunt {
         if (std::ranges::find(own, contact) == own.end()) continue;
         const std::uint64_t seed = Random::keyed({options_.seed, report_.cells.size()}).next();
         nurseries_.push_back({Breeder(method, seed, options_.ground), draws[m]});
-        report_.cells.push_back({method, contact, {}, 0, {}, {}});
+        report_.cells.push_back({method, contact, {}, {}, {}});
       }
     }
     return report_.cells.size();
@@ -206,10 +205,8 @@ class Hunt {
         if (stops()) break;
         const double begin = clock_of(method);
         const Judged judged = ask(method, asked, search_now(method));
-        const double used = clock_of(method) - begin;
-        done.cpu_seconds += used;
+        done.cpu_seconds += clock_of(method) - begin;
         if (is_cut_off(judged)) break;
-        if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
         done.tally.add(judged.answer, judged.outcome, asked.collides(), judged.late_by);
         note_failure(cell.method, asked.value(), judged, asker, done);
         if (!options_.beside || judged.outcome == Outcome::kNotAsked) continue;
@@ -287,7 +284,6 @@ class Hunt {
     report_.draw_cpu_seconds += done.draw_seconds;
     cell.tally.merge(done.tally);
     cell.beside.merge(done.beside);
-    cell.cpu_seconds += done.answer_seconds;
     for (const Failure& failure : done.met) met_ = met_ || failure.outcome == options_.until;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
     show(options_.cases ? schedule_.share_done() : watch_.seconds() / options_.seconds, done.met);
@@ -301,7 +297,7 @@ class Hunt {
     now.trouble = intake_.trouble();
     now.met = met;
     now.margins.resize(options_.methods.size());
-    for (const auto& [method, contact, tally, cpu_seconds, bred, beside] : report_.cells) {
+    for (const auto& [method, contact, tally, bred, beside] : report_.cells) {
       const auto m = std::ranges::find(options_.methods, method) - options_.methods.begin();
       std::optional<std::uint64_t>& least = now.margins[static_cast<size_t>(m)];
       now.queries += tally.n;

@@ -47,17 +47,15 @@ struct HuntOptions {
 struct HuntCell {
   std::string method;
   ContactClass contact = ContactClass::kFF;
-  Tally tally;             ///< for the draws
-  double cpu_seconds = 0;  ///< for the queries about them
-  BreedTally bred;         ///< for their mutants
-  LogHistogram beside;     ///< seconds of HuntOptions::beside for the draws that it answers, too
+  Tally tally;          ///< for the draws
+  BreedTally bred;      ///< for their mutants
+  LogHistogram beside;  ///< seconds of HuntOptions::beside for the draws that it answers, too
 
   static void fields(auto& archive, auto& cell) {
     archive.constant("row", "cell");
     archive("class", cell.contact);
     archive("method", cell.method);
     Tally::fields(archive, cell.tally);
-    archive("cpu_seconds", cell.cpu_seconds, not_negative);
     archive("mutants", cell.bred.mutants);
     archive("lost_mutants", cell.bred.lost);
     archive("margin_ulps", cell.bred.margin);

@@ -28,14 +28,11 @@ Query by_ends(const Query& query, double until, const HuntGround& ground) {
   Query out = query;
   const double step = query.t_max / until;
   for (MovingPatch<double>& patch : out.patches) {
-    patch.ends = patch.positions;
-    for (size_t i = 0; i < patch.ends.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        double& x = patch.ends[i][k];
-        x = ground.fitted(x + step * patch.velocities[i][k]);
-      }
+    for (Vec3<double>& v : patch.velocities) v *= step;
+    give_rounded_ends(patch);
+    for (Vec3<double>& end : patch.ends) {
+      for (double& x : end) x = ground.fitted(x);
     }
-    patch.velocities.clear();
   }
   out.t_max = until;
   return out;

@@ -15,9 +15,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Heights {
-  Rational lowest, highest;
-};
+using Heights = std::ranges::minmax_result<Rational>;
 
 /// The heights of the control points of a part along an axis at an exact time.
 Heights heights_at(const MovingPatch<double>& patch, const Cell& cell, const Vec3<double>& axis,
@@ -26,8 +24,7 @@ Heights heights_at(const MovingPatch<double>& patch, const Cell& cell, const Vec
       restrict_to(exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
   std::vector<Rational> heights;
   for (const Vec3<Rational>& p : part.at(t)) heights.push_back(dot(p, exact(axis)));
-  const auto [lowest, highest] = std::ranges::minmax(heights);
-  return {lowest, highest};
+  return std::ranges::minmax(heights);
 }
 
 /// Doubles in (a, b], 0 ≤ a ≤ b.
@@ -55,11 +52,11 @@ std::optional<LossFacts::Overlap> overlap_of(const Query& query, const Witness& 
     heights[s] = heights_at(query.patches[s], loss.place.cells[s], axis, witness.t);
   }
   const auto below = static_cast<size_t>(loss.by.below);
-  const Rational overlap = heights[below].highest - heights[1 - below].lowest;
+  const Rational overlap = heights[below].max - heights[1 - below].min;
   const Rational squares = dot(exact(axis), exact(axis));
   Rational largest = 0;
   for (const Heights& h : heights) {
-    largest = std::max<Rational>({largest, abs(h.lowest), abs(h.highest)});
+    largest = std::max<Rational>({largest, abs(h.min), abs(h.max)});
   }
   return LossFacts::Overlap{over_root(overlap, squares), ulp_of(over_root(largest, squares))};
 }

@@ -23,11 +23,11 @@ struct ReportTable {
 /// A case that the page shows in its viewer.
 struct ReportedCase {
   std::string id;  ///< where it is
-  Case value;
+  Case value = {};
   std::vector<GivenAnswer> answers;  ///< of each its method, outcome and toi
   double precision = 1e-4;           ///< that it was asked at
-  std::optional<bool> is_new;        ///< for a hunt: found now, or known before
-  std::string reproduce;             ///< the command that shows it again; may be empty
+  std::optional<bool> is_new = {};   ///< for a hunt: found now, or known before
+  std::string reproduce = {};        ///< the command that shows it again; may be empty
 
   bool has_failure() const {
     return std::ranges::any_of(answers, is_failure, &GivenAnswer::outcome);

@@ -19,16 +19,10 @@ constexpr int kSamplesOfEach = 4;
 
 void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double precision) {
   add_curvatures(known);
-  std::optional<ReportedCase> open;
-  for (const GivenAnswer& given : evaluated.answers) {
-    if (!open) {
-      open.emplace();
-      open->id = evaluated.id;
-      open->precision = precision;
-    }
-    open->answers.push_back(given);
-    if (&given != &evaluated.answers.back() && (&given)[1].factor == given.factor) continue;
-    keep(*std::exchange(open, std::nullopt), known, given.factor);
+  const auto end = evaluated.answers.end();
+  for (auto from = evaluated.answers.begin(), to = from; from != end; from = to) {
+    to = std::find_if(from, end, [&](const auto& given) { return given.factor != from->factor; });
+    keep({.id = evaluated.id, .answers = {from, to}, .precision = precision}, known, from->factor);
   }
 }
 
