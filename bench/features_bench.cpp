@@ -1,13 +1,14 @@
 // What weights and a separation cost tdibm-c: the same queries with them and without, of nearly the
 // same answers.
+#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "bench/ratio.hpp"
 #include "generators/generate.hpp"
+#include "io/cpu_time.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -22,11 +23,8 @@ std::vector<Query> generated_queries(ContactClass contact) {
   std::vector<Query> all;
   for (std::uint64_t i = 0; i < kOfEachKind; ++i) {
     for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.kind = kind;
-      options.construction = Construction::kOneSided;
-      options.seed = 1;
+      const GeneratorOptions options = {
+          .contact = contact, .kind = kind, .construction = Construction::kOneSided, .seed = 1};
       all.push_back(generate(options, i).value.query);
     }
   }
@@ -63,21 +61,25 @@ void compare(benchmark::State& state, ContactClass contact, const Feature& featu
     for (const Query& query : queries) pops += (*method)->answer(query, {}).pops;
     return pops;
   };
-  Ratio ratio;
-  std::uint64_t pops_of_first = 0, pops_of_second = 0;
+  struct {
+    double seconds = 0;  // CPU
+    std::uint64_t pops = 0;
+  } with, without;
   bool feature_first = false;  // by turns: whatever else the machine does then slows both
   for ([[maybe_unused]] const auto _ : state) {
     feature_first = !feature_first;
     for (const bool with_feature : {feature_first, !feature_first}) {
-      if (with_feature) {
-        ratio.first([&] { pops_of_first += answer_all(featured); });
-      } else {
-        ratio.second([&] { pops_of_second += answer_all(plain); });
-      }
+      auto& cost = with_feature ? with : without;
+      const double begin = thread_cpu_seconds();
+      cost.pops += answer_all(with_feature ? featured : plain);
+      cost.seconds += thread_cpu_seconds() - begin;
     }
   }
-  ratio.report(state, feature.name, "none");
-  state.counters["pops"] = static_cast<double>(pops_of_first) / static_cast<double>(pops_of_second);
+  const auto rounds = static_cast<double>(state.iterations());
+  state.counters[feature.name] = with.seconds / rounds;
+  state.counters["none"] = without.seconds / rounds;
+  state.counters["ratio"] = with.seconds / without.seconds;
+  state.counters["pops"] = static_cast<double>(with.pops) / static_cast<double>(without.pops);
 }
 
 const bool kFeaturesRegistered = [] {

@@ -1,4 +1,5 @@
 // What tdibm-c takes for linear queries, and how many it leaves to integers.
+#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "bench/ratio.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "eval/log_histogram.hpp"
+#include "io/cpu_time.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -19,20 +20,15 @@ constexpr int kRepeats = 15;
 /// Positions and velocities of all bits in [−1, 1], and t_max = 1.
 std::vector<Query> random_queries(const Shape& a, const Shape& b) {
   std::mt19937_64 bits(1);
-  const auto point = [&] {
-    Vec3<double> p;
-    for (double& x : p) x = std::uniform_real_distribution<double>(-1, 1)(bits);
-    return p;
-  };
   std::vector<Query> queries(kQueries);
   for (Query& query : queries) {
     query.patches[0].shape = a;
     query.patches[1].shape = b;
     for (MovingPatch<double>& patch : query.patches) {
-      for (int i = 0; i < patch.shape.control_count(); ++i) {
-        patch.positions.push_back(point());
-        patch.velocities.push_back(point());
-      }
+      patch.positions.resize(static_cast<std::size_t>(patch.shape.control_count()));
+      patch.velocities = patch.positions;
+      for_each_coordinate(
+          patch, [&](double& x) { x = std::uniform_real_distribution<double>(-1, 1)(bits); });
     }
   }
   return queries;

@@ -16,10 +16,10 @@ std::vector<Contact> mutant_bases(ContactClass contact) {
   constexpr std::uint64_t kBases = 32;
   std::vector<Contact> bases;
   for (std::uint64_t i = 0; i < kBases; ++i) {
-    GeneratorOptions options;
-    options.contact = contact;
-    options.construction = i % 2 == 0 ? Construction::kOneSided : Construction::kPaper;
-    options.seed = 1;
+    const GeneratorOptions options = {
+        .contact = contact,
+        .construction = i % 2 == 0 ? Construction::kOneSided : Construction::kPaper,
+        .seed = 1};
     if (auto q = contact_of(generate(options, i).value)) bases.push_back(*std::move(q));
   }
   return bases;

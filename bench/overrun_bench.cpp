@@ -24,9 +24,7 @@ void overrun(benchmark::State& state, const char* spec) {
     }
   }
   query.t_max = 1;
-  SearchOptions options;
-  options.precision = 0x1p-30;
-  options.max_seconds = kLimit;
+  const SearchOptions options = {.precision = 0x1p-30, .max_seconds = kLimit};
   const auto method = make_method(spec);
   double most = 0;
   for ([[maybe_unused]] const auto _ : state) {
