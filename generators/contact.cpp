@@ -17,17 +17,6 @@ namespace ccdfuzz {
 
 namespace {
 
-bool is_zero(const Dyadic& x) {
-  return x.sign() == 0;
-}
-bool is_zero(const SmallDyadic& x) {
-  return x.is_zero();
-}
-
-bool all_fit(const std::vector<SmallDyadic>& all) {
-  return std::all_of(all.begin(), all.end(), [](const SmallDyadic& x) { return x.fits(); });
-}
-
 template <class S>
 std::vector<S> weights_at(const MovingPatch<double>& patch, const Uv<S>& uv) {
   std::vector<S> weights = bernstein_weights<S>(patch.shape, uv);
@@ -50,7 +39,7 @@ std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vecto
   std::array<S, 3> sum;
   const S rest = patch.has_ends() ? S(1) - t : S(1);
   for (size_t i = 0; i < weights.size(); ++i) {
-    if (is_zero(weights[i])) continue;
+    if (weights[i].sign() == 0) continue;
     const S weighted_t = weights[i] * t, weighted_rest = weights[i] * rest;
     for (size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
@@ -95,7 +84,9 @@ std::string contact_text(const Rational& t, const AnswerTerms& terms) {
 
 std::vector<Dyadic> Contact::weights(size_t side) const {
   const std::vector<SmallDyadic> small = small_weights(*this, side);
-  if (!all_fit(small)) return weights_at(query.patches[side], uv[side]);
+  if (!std::ranges::all_of(small, &SmallDyadic::fits)) {
+    return weights_at(query.patches[side], uv[side]);
+  }
   std::vector<Dyadic> weights;
   weights.reserve(small.size());
   for (const SmallDyadic& x : small) weights.push_back(x.dyadic());

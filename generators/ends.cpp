@@ -9,22 +9,20 @@
 
 namespace ccdfuzz {
 
-std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarity, 2>* changes) {
-  const int size = parts_of(query.patches[0].positions[0].cwiseAbs().maxCoeff()).top();
-  std::optional<Query> out = query;
-  const auto change_by = [&](const Similarity& change, std::size_t i) {
-    const std::optional<Query> moved = similar(*out, change);
-    if (!moved) return false;
-    out = moved;
-    if (changes != nullptr) (*changes)[i] = change;
-    return true;
+std::optional<Case> parted(const Case& value, Draw& draw) {
+  const int size = parts_of(value.query.patches[0].positions[0].cwiseAbs().maxCoeff()).top();
+  std::optional<Case> out = value;
+  const auto change_by = [&](const Similarity& change) {
+    std::optional<Case> moved = similar(*out, change);
+    if (moved) out = std::move(moved);
+    return moved.has_value();
   };
   constexpr int kStep = 4, kLeast = 2;
   const Vec3<double> little = draw_integers(draw, 3);
   int exponent = -draw.integer(30, 45);
   const auto by_little = [&] {
     const Vec3<double> shift = std::ldexp(1, size + exponent) * little;
-    return change_by({shift, -shift}, 0);
+    return change_by({shift, -shift});
   };
   while (!by_little()) {
     exponent += kStep;
@@ -32,7 +30,7 @@ std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarit
   }
   const Vec3<double> much = draw_integers(draw, 3);
   exponent = draw.integer(5, 30);
-  while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much}, 1)) {
+  while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much})) {
     exponent -= kStep;
     if (exponent < kLeast) return std::nullopt;
   }
@@ -47,11 +45,9 @@ Attempted ends_case(const GeneratorOptions& options, Draw& draw) {
   const Query plain = made.query;
   for (MovingPatch<double>& patch : made.query.patches) give_rounded_ends(patch);
   if (with_velocities(made.query) != plain) return tl::unexpected(Discard::kRoundTrip);
-  std::array<Similarity, 2> changes;
-  const std::optional<Query> query = parted(made.query, draw, &changes);
-  if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);
-  for (const Similarity& change : changes) made = *similar(made, change);
-  return as_asked(std::move(made), options);
+  std::optional<Case> moved = parted(made, draw);
+  if (!moved || with_velocities(moved->query)) return tl::unexpected(Discard::kRoundTrip);
+  return as_asked(*std::move(moved), options);
 }
 
 }  // namespace ccdfuzz

@@ -6,8 +6,7 @@
 namespace ccdfuzz {
 
 /// Moves all positions by a little and all ends by much, as far as their bits allow. So differences
-/// of the two have more bits. nullopt if they have no room. changes, if given, gets both steps.
-std::optional<Query> parted(const Query& query, Draw& draw,
-                            std::array<Similarity, 2>* changes = nullptr);
+/// of the two have more bits. nullopt if they have no room.
+std::optional<Case> parted(const Case& value, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -7,16 +7,17 @@
 
 namespace ccdfuzz {
 
-std::optional<Query> to_query(const Scene& scene) {
+std::optional<Query> to_query(const std::array<MovingPatch<Dyadic>, 2>& patches,
+                              const Dyadic& t_max) {
   Query query;
   for (size_t s = 0; s < 2; ++s) {
-    const auto patch = to_doubles(scene.patches[s]);
+    const auto patch = to_doubles(patches[s]);
     if (!patch) return std::nullopt;
     query.patches[s] = *patch;
   }
-  const std::optional<double> t_max = scene.t_max.to_double_exactly();
-  if (!t_max) return std::nullopt;
-  query.t_max = *t_max;
+  const std::optional<double> end = t_max.to_double_exactly();
+  if (!end) return std::nullopt;
+  query.t_max = *end;
   return query;
 }
 
@@ -37,7 +38,7 @@ void say_clear(Case& value, double t_max) {
 
 Attempted proven_apart(Case value, const GeneratorOptions& options) {
   const double t_max = value.query.t_max;
-  if (!miss_is_proven(value.query, options.proof_pops)) {
+  if (!proven_by_search(value.query, Dyadic::exact(t_max), options.proof_pops)) {
     return tl::unexpected(Discard::kFirstContact);
   }
   say_clear(value, t_max);

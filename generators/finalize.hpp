@@ -4,13 +4,14 @@
 
 #include "case/case.hpp"
 #include "generators/attempts.hpp"
-#include "generators/scene.hpp"
+#include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
 
-/// The query of a scene, to scene.t_max: every exact number turned to the double equal to it.
+/// The query of two patches, to t_max: every exact number turned to the double equal to it.
 /// nullopt if one has none (the round trip of Section 5.4).
-std::optional<Query> to_query(const Scene& scene);
+std::optional<Query> to_query(const std::array<MovingPatch<Dyadic>, 2>& patches,
+                              const Dyadic& t_max);
 
 /// Makes it a positive by its witness. A construction that is wrong does not get out: the checker
 /// accepts the witness, or an invariant is broken.

@@ -38,11 +38,9 @@ MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal) {
 bool certified_clear(const Query& query, double until) {
   Query horizon = query;
   horizon.t_max = until;
-  SearchOptions options;
-  options.precision = 0x1p-24;
-  options.max_pops = 10'000;
   thread_local TdibmC method;
-  return method.answer(horizon, options).verdict == Verdict::kMiss;
+  return method.answer(horizon, {.precision = 0x1p-24, .max_pops = 10'000}).verdict ==
+         Verdict::kMiss;
 }
 
 }  // namespace
@@ -71,10 +69,6 @@ bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max
   const std::optional<double> horizon = until.to_double_exactly();
   return horizon && certified_clear(query, *horizon) &&
          proves_clear(query, until.rational(), {.pops = max_pops});
-}
-
-bool miss_is_proven(const Query& query, std::uint64_t max_pops) {
-  return proven_by_search(query, Dyadic::exact(query.t_max), max_pops);
 }
 
 }  // namespace ccdfuzz

@@ -20,7 +20,4 @@ bool prove_first_contact(const Scene& scene, Case& made, const Dyadic& until, bo
 /// after tdibm-c has found nothing.
 bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max_pops);
 
-/// The same for [0, query.t_max].
-bool miss_is_proven(const Query& query, std::uint64_t max_pops);
-
 }  // namespace ccdfuzz

@@ -117,20 +117,17 @@ Random stream_of(const GeneratorOptions& options, std::uint64_t index) {
   return Random::keyed({options.seed, index, contact, construction, family});
 }
 
-/// Steps I to IV; nullopt if the static check refused the result.
-std::optional<Scene> construct(const GeneratorOptions& options, Draw& draw) {
-  if (options.family == Family::kTwins) return twin_scene(options.contact, draw);
-  return paper_scene(options.contact, is_grazing(options.kind), draw);
-}
-
 /// One attempt at a case of two quadratic triangles, of the paper's construction or twins, or why
 /// it was thrown away.
 Attempted quadratic_case(const GeneratorOptions& options, Draw& draw) {
-  std::optional<Scene> scene = construct(options, draw);
+  std::optional<Scene> scene =
+      options.family == Family::kTwins
+          ? twin_scene(options.contact, draw)
+          : paper_scene(options.contact, is_grazing(options.kind), draw);  // Steps I to IV
   if (!scene) return tl::unexpected(Discard::kStaticCheck);
   const bool near_miss = options.kind == CaseKind::kNMN;
   if (near_miss) part(*scene, draw.integer(kLeastGap, kLargestGap));
-  const std::optional<Query> query = to_query(*scene);
+  const std::optional<Query> query = to_query(scene->patches, 1);
   if (!query) return tl::unexpected(Discard::kRoundTrip);
   Case made;
   made.query = *query;

@@ -81,9 +81,7 @@ constexpr bool is_of_a_mesh(Family family) {
 }
 /// Those of bodies whose first contact has no depth.
 constexpr bool is_grazing(Family family) {
-  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing ||
-         family == Family::kMeshGrazingOneSided || family == Family::kTurningGrazing ||
-         family == Family::kSpinningGrazing;
+  return family >= Family::kBodiesGrazing;
 }
 /// Those of patches that move along each other, or would.
 constexpr bool is_grazing(CaseKind kind) {
@@ -91,8 +89,7 @@ constexpr bool is_grazing(CaseKind kind) {
 }
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
-  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||
-         is_of_a_mesh(family) || is_grazing(family);
+  return family == Family::kBodies || family >= Family::kTurning;
 }
 template <Family kFirst, Family kLast>
 constexpr auto families_between() {

@@ -36,9 +36,7 @@ Attempted just_missing(Case grazing, Draw& draw) {
   }
   Query& query = grazing.query;
   if (!step_along(way, query.patches[side], query)) return tl::unexpected(Discard::kRoundTrip);
-  OracleOptions options;
-  options.apart_along = normal;
-  grazing.truth = decide(query, options).truth;
+  grazing.truth = decide(query, {.apart_along = normal}).truth;
   if (grazing.truth.collides != false) return tl::unexpected(Discard::kFirstContact);
   return grazing;
 }

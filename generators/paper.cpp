@@ -14,7 +14,7 @@ std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Draw& draw)
   if (!normal) return std::nullopt;
 
   Scene scene;
-  scene.contact.t = scene.t_max = Dyadic(1);
+  scene.contact.t = Dyadic(1);
   scene.normal = *normal;
   std::optional<GrazingPlane> plane;
   if (grazing) {

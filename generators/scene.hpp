@@ -17,7 +17,6 @@ struct Scene {
   PrescribedContact contact;
   std::array<MovingPatch<Dyadic>, 2> patches;
   Vec3<Dyadic> normal;  ///< the contact plane's, from patch 2 to patch 1
-  Dyadic t_max;         ///< end of the query that is to find the contact; t* ≤ t_max
 };
 
 }  // namespace ccdfuzz

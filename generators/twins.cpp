@@ -116,7 +116,6 @@ Scene twin_scene(ContactClass contact, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const PlaneFrame frame = random_frame(draw);
   Scene scene;
-  scene.t_max = 1;
   scene.normal = frame.normal;
   // Late enough for all crossings above to come after 0.
   const bool halves_only = features[0] == Feature::kFace;

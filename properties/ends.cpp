@@ -21,7 +21,7 @@ Case draw_contact_with_ends(Draw& d, const ContactRange& range) {
   constexpr int kMostTries = 16;
   for (int n = 0; n < kMostTries && with_velocities(q.query); ++n) {
     if (n % 2 == 0) {
-      if (const std::optional<Query> moved = parted(q.query, d)) q.query = *moved;
+      if (const auto moved = parted(case_of(q), d)) q.query = moved->query;
     } else if (Contact next = q; shift_in_null_space(next, d)) {
       q = std::move(next);
     }
@@ -51,8 +51,9 @@ void check_same_motion(Draw& d) {
   show(d, "query", q.query);
   CLAIM(!is_valid(past));
   claim_same_way(q.query, plain);
-  if (const std::optional<Query> moved = parted(q.query, d)) {
-    if (const auto velocities = with_velocities(*moved)) claim_same_way(*moved, *velocities);
+  if (const auto moved = parted(case_of(q), d)) {
+    const auto velocities = with_velocities(moved->query);
+    if (velocities) claim_same_way(moved->query, *velocities);
   }
   for (const std::string method : {"tdibm-rational", "tdibm-c"}) {
     const Answer of_ends = asked(d, method, q.query, kQuickSearch);

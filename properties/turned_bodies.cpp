@@ -156,8 +156,7 @@ void check_ball_within(Draw& d) {
   Rational rest = 1;
   for (int i = 0; i < 3; ++i) rest -= weights.emplace_back(Rational(d.integer(1, 4)) / 16);
   weights.push_back(rest);
-  Points<Rational> corners;
-  for (const Vec3<double>& corner : body.positions) corners.push_back(exact(corner));
+  const Points<Rational> corners = exact_points<Rational>(body.positions);
   Vec3<Rational> inside = {0, 0, 0};
   for (std::size_t i = 0; i < 4; ++i) inside += weights[i] * corners[i];
   Vec3<double> place = draw_point(d) / 4;

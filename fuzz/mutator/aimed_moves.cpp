@@ -104,12 +104,7 @@ bool snap_to_lattice(Contact& q, Draw& draw) {
   const double size = any_point(points, draw).cwiseAbs().maxCoeff();
   if (size == 0) return false;
   const int unit = std::ilogb(size) - static_cast<int>(draw.below(20));
-  if (draw.coin()) {
-    for (Vec3<double>& p : points) {
-      for (int k = 0; k < 3; ++k) p[k] = on_lattice(p[k], unit);
-    }
-  } else {
-    Vec3<double>& p = any_point(points, draw);
+  for (Vec3<double>& p : draw.coin() ? std::span(points) : std::span(&any_point(points, draw), 1)) {
     for (int k = 0; k < 3; ++k) p[k] = on_lattice(p[k], unit);
   }
   return made_whole(q, draw);

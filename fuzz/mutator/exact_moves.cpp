@@ -31,6 +31,15 @@ Vec3<Dyadic> small_vector(const Points<double>& points, Draw& draw) {
   return v;
 }
 
+/// To the contact in other coordinates. False if a number of it is not a double then.
+bool change_to_similar(Contact& q, const Similarity& change) {
+  const std::optional<Query> changed = similar(q.query, change);
+  if (!changed) return false;
+  q.query = *changed;
+  q.t = q.t.scaled(change.time);
+  return true;
+}
+
 }  // namespace
 
 bool shift_in_null_space(Contact& q, Draw& draw) {
@@ -82,11 +91,7 @@ bool change_coordinates(Contact& q, Draw& draw) {
       change.space = draw.integer(-1000, 900);
       break;
   }
-  const std::optional<Query> changed = similar(q.query, change);
-  if (!changed) return false;
-  q.query = *changed;
-  q.t = q.t.scaled(change.time);
-  return true;
+  return change_to_similar(q, change);
 }
 
 bool splice(Contact& q, const Contact& other, Draw& draw) {
@@ -136,10 +141,7 @@ bool give_ends(Contact& q, Draw& draw) {
   if (q.query.t_max > 1) {
     Similarity change;
     change.time = -(std::ilogb(q.query.t_max) + 1);
-    const std::optional<Query> changed = similar(q.query, change);
-    if (!changed) return false;
-    q.query = *changed;
-    q.t = q.t.scaled(change.time);
+    if (!change_to_similar(q, change)) return false;
   }
   const std::uint64_t sides = 1 + draw.below(3);
   bool any = false;

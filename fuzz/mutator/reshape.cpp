@@ -42,19 +42,8 @@ std::optional<Points<S>> restricted(const Shape& shape, const Points<S>& points,
 }
 
 bool all_fit(const Points<SmallDyadic>& points) {
-  for (const Vec3<SmallDyadic>& p : points) {
-    if (!p[0].fits() || !p[1].fits() || !p[2].fits()) return false;
-  }
-  return true;
-}
-
-template <class S>
-Points<S> exact_points(const Points<double>& points) {
-  Points<S> out;
-  out.reserve(points.size());
-  for (const Vec3<double>& p : points)
-    out.push_back({S::exact(p[0]), S::exact(p[1]), S::exact(p[2])});
-  return out;
+  return std::ranges::all_of(
+      points, [](const Vec3<SmallDyadic>& p) { return p[0].fits() && p[1].fits() && p[2].fits(); });
 }
 
 /// Other points in the place of some, if all of them are doubles. make<S>(points): nullopt if they

@@ -136,21 +136,20 @@ void let_approach(ContactScene& scene, Draw& draw) {
 }
 
 std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Draw& draw) {
-  Scene exact_scene;
+  std::array<MovingPatch<Dyadic>, 2> patches;
   Case out;
   Witness witness{scene.t.rational(), {}};
   for (size_t s = 0; s < 2; ++s) {
     const ContactSide& side = scene.sides[s];
-    exact_scene.patches[s] = placed(side, placement, scene.t);
+    patches[s] = placed(side, placement, scene.t);
     witness.uv[s] = {side.at[0].rational(), side.at[1].rational()};
   }
-  if (scene.separated) out.truth.clearance = plane_of(scene, placement, exact_scene.patches);
-  for (MovingPatch<Dyadic>& patch : exact_scene.patches) {
+  if (scene.separated) out.truth.clearance = plane_of(scene, placement, patches);
+  for (MovingPatch<Dyadic>& patch : patches) {
     if (placement.noise_ulps > 0) add_noise(patch, placement.noise_ulps, draw);
     patch.positions = patch.at(-scene.t);
   }
-  exact_scene.t_max = scene.t_max;
-  const std::optional<Query> query = to_query(exact_scene);
+  const std::optional<Query> query = to_query(patches, scene.t_max);
   if (!query) return std::nullopt;
   out.query = *query;
   if (!scene.touches) return out;

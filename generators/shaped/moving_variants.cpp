@@ -94,48 +94,40 @@ PlacedScene regular_variant(ContactClass contact, const ShapePair& shapes, Draw&
   return made;
 }
 
-namespace {
-
-/// The regular scene, for `change` to vary.
-template <class Change>
-PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
-                    const Change& change) {
+PlacedScene interior_time_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made = regular_variant(contact, shapes, draw);
-  change(made);
+  made.scene.t = time_before_one(draw);
   return made;
 }
 
-}  // namespace
-
-PlacedScene interior_time_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return changed(contact, shapes, draw,
-                 [&](PlacedScene& made) { made.scene.t = time_before_one(draw); });
-}
-
 PlacedScene at_start_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return changed(contact, shapes, draw, [&](PlacedScene& made) { let_start(made.scene, draw); });
+  PlacedScene made = regular_variant(contact, shapes, draw);
+  let_start(made.scene, draw);
+  return made;
 }
 
 PlacedScene resting_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return changed(contact, shapes, draw, [](PlacedScene& made) { let_rest(made.scene); });
+  PlacedScene made = regular_variant(contact, shapes, draw);
+  let_rest(made.scene);
+  return made;
 }
 
 PlacedScene common_velocity_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return changed(contact, shapes, draw, [&](PlacedScene& made) {
-    const long exponent = draw.integer(8, 20);
-    made.placement.drift = draw.vector(10, exponent - 10);
-  });
+  PlacedScene made = regular_variant(contact, shapes, draw);
+  const long exponent = draw.integer(8, 20);
+  made.placement.drift = draw.vector(10, exponent - 10);
+  return made;
 }
 
 PlacedScene scaled_variant(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  return changed(contact, shapes, draw, [&](PlacedScene& made) {
-    made.scene.t_max = 2;
-    // Most where products of two projections underflow; a subnormal has no room for all bits.
-    const bool near_underflow = draw.below(4) != 0;
-    const auto exponent =
-        static_cast<long>(near_underflow ? draw.integer(-547, -530) : draw.integer(-1000, 900));
-    made.placement.exponent.fill(exponent);
-  });
+  PlacedScene made = regular_variant(contact, shapes, draw);
+  made.scene.t_max = 2;
+  // Most where products of two projections underflow; a subnormal has no room for all bits.
+  const bool near_underflow = draw.below(4) != 0;
+  const auto exponent =
+      static_cast<long>(near_underflow ? draw.integer(-547, -530) : draw.integer(-1000, 900));
+  made.placement.exponent.fill(exponent);
+  return made;
 }
 
 /// One patch, the plate, is flat with straight edges and moves rigidly. The other touches its plane

@@ -47,10 +47,6 @@ void scale_axes(Points<Dyadic>& points, int first_axis, int last_axis, long expo
   }
 }
 
-Vec3<Dyadic> small_shift(Draw& draw) {
-  return draw.vector(4, 0);
-}
-
 /// Ways in which the control points of a patch can fall together. Its heights are 0, or 0 where it
 /// has a share in the contact and equal elsewhere. Only points of equal height fall together, so
 /// the patch stays on its side of the contact plane.
@@ -109,7 +105,7 @@ void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_e
 PlacedScene near_origin(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement.frame = random_frame(draw);
-  made.placement.shift = small_shift(draw);
+  made.placement.shift = draw.vector(4, 0);
   made.scene = coarse_scene(contact, shapes, draw);
   return made;
 }

@@ -9,23 +9,27 @@
 
 namespace ccdfuzz {
 
+/// The same points in an exact number type.
+template <class S>
+Points<S> exact_points(const Points<double>& points) {
+  Points<S> out;
+  out.reserve(points.size());
+  for (const Vec3<double>& p : points) {
+    out.push_back({from_double<S>(p[0]), from_double<S>(p[1]), from_double<S>(p[2])});
+  }
+  return out;
+}
+
 /// The same patch in another number type, exactly, with velocities and its weights, without
 /// its trim. S is Rational or Dyadic.
 template <class S>
 MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
-  const auto convert = [](const Points<double>& from) {
-    Points<S> to;
-    to.reserve(from.size());
-    for (const Vec3<double>& p : from) {
-      to.push_back({from_double<S>(p[0]), from_double<S>(p[1]), from_double<S>(p[2])});
-    }
-    return to;
-  };
-  MovingPatch<S> out{patch.shape, convert(patch.positions), convert(patch.velocities)};
+  MovingPatch<S> out{patch.shape, exact_points<S>(patch.positions),
+                     exact_points<S>(patch.velocities)};
   for (const double w : patch.weights) out.weights.push_back(from_double<S>(w));
   out.radius = from_double<S>(patch.radius);
   if (patch.has_ends()) {
-    out.velocities = convert(patch.ends);
+    out.velocities = exact_points<S>(patch.ends);
     for (size_t i = 0; i < out.velocities.size(); ++i) out.velocities[i] -= out.positions[i];
   }
   return out;

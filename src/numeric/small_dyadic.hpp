@@ -38,7 +38,7 @@ class SmallDyadic {
   }
 
   bool fits() const { return fits_; }
-  bool is_zero() const { return m_ == 0; }
+  int sign() const { return m_ == 0 ? 0 : m_ < 0 ? -1 : 1; }
 
   /// Requires fits().
   Dyadic dyadic() const {

@@ -26,7 +26,7 @@ TEST(SmallDyadic, IsTheDyadicWhereItFits) {
     Dyadic exact = Dyadic::exact(start);
     for (int step = 0; step < 4 && small.fits(); ++step) {
       ASSERT_EQ(small.dyadic(), exact);
-      ASSERT_EQ(small.is_zero(), exact.sign() == 0);
+      ASSERT_EQ(small.sign(), exact.sign());
       const double x = any_double(random);
       switch (random.below(3)) {
         case 0:
