@@ -16,13 +16,9 @@ const std::vector<std::string>& miss_nothing() {
 }
 
 Case decide_briefly(const Query& query, std::uint64_t max_pops) {
-  OracleOptions little;
-  little.max_pops = max_pops;
-  little.max_tree_nodes = 10 * max_pops;
-  const Decision decision = decide(query, little);
   Case known;
   known.query = query;
-  known.truth = decision.truth;
+  known.truth = decide(query, {.max_pops = max_pops, .max_tree_nodes = 10 * max_pops}).truth;
   const auto claim_accepted = [&](const auto& checked) {
     if (checked) return;
     throw Refuted(fmt::format("the checker refuses the oracle: {}\n{}", checked.error().message(),

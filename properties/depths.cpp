@@ -152,9 +152,8 @@ void check_depth_of_arms(Draw& d) {
   CLAIM(got && *got <= depth + kRounding && *got >= depth / 2);
   const CheckedCase checked = value_or_throw(check_case(known));
   const auto outcome_of_miss = [&](double tolerance) {
-    AnswerTerms terms;
-    terms.depth_tolerance = tolerance;
-    return show(d, "outcome", outcome_of(checked, Answer::miss(), terms, false));
+    return show(d, "outcome",
+                outcome_of(checked, Answer::miss(), {.depth_tolerance = tolerance}, false));
   };
   CLAIM(outcome_of_miss(depth * 7 / 8) == Outcome::kMissed);
   // It would have to be moved by more than it overlaps at any time.

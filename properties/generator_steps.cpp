@@ -3,7 +3,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "generators/differential.hpp"
 #include "generators/draw_contact.hpp"
-#include "generators/draw_patch.hpp"
 #include "generators/generate.hpp"
 #include "generators/paper.hpp"
 #include "generators/prescribe.hpp"

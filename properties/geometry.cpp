@@ -1,4 +1,3 @@
-
 #include "bezier/bernstein.hpp"
 #include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"

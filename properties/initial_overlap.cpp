@@ -15,10 +15,8 @@ namespace {
 
 /// Bodies that touch or overlap at 0, and move on for however long.
 Case draw_overlapping(Draw& d) {
-  GeneratorOptions options;
-  options.contact = d.pick(kContactClasses);
-  options.family = Family::kBodies;
-  options.initial_overlap = true;
+  const GeneratorOptions options = {
+      .contact = d.pick(kContactClasses), .family = Family::kBodies, .initial_overlap = true};
   Case known = generate(options, d).value;
   known.query.t_max = std::ldexp(known.query.t_max, -d.integer(0, 20));
   show(d, "planted", known);
@@ -85,10 +83,8 @@ void check_who_is_asked(Draw& d) {
 
 /// As far as both bounds of the step's angle tell apart.
 void check_small_spins(Draw& d) {
-  GeneratorOptions options;
-  options.contact = d.pick(kContactClasses);
-  options.family = Family::kSpinning;
-  options.most_spin = kSmallSpin;
+  const GeneratorOptions options = {
+      .contact = d.pick(kContactClasses), .family = Family::kSpinning, .most_spin = kSmallSpin};
   Query query = generate(options, d).value.query;
   show(d, "query", query);
   Domain small;

@@ -129,10 +129,8 @@ void check_forged_faces(Draw& d) {
 
 /// A planted graze of a mesh whose last face is passed through later.
 Case draw_graze(Draw& d, ContactClass contact, const BodyKind& kind) {
-  GeneratorOptions options;
-  options.family = d.coin() ? Family::kMeshGrazing : Family::kMeshGrazingOneSided;
-  options.contact = contact;
-  options.bodies = {kind};
+  const Family family = d.coin() ? Family::kMeshGrazing : Family::kMeshGrazingOneSided;
+  const GeneratorOptions options = {.contact = contact, .family = family, .bodies = {kind}};
   suppose(validate(options).has_value());
   const Case known = show(d, "planted", generate(options, d).value);
   CLAIM(known.query.patches[mesh_side(known.query)].one_sided == is_one_sided(options.family));

@@ -54,7 +54,7 @@ void check_agree_anywhere(Draw& d) {
       b.positions[0] = a.positions[0] + (a.velocities[0] - b.velocities[0]) * t;
     }
   }
-  claim_all_agree(query, kPops);
+  claim_all_agree(query, kPops, kRefutationSearch);
 }
 
 constexpr std::array kWindowed = {"tdibm",   "tdibm-h:1e-12",   "tdibm-h:1e-12@absolute",

@@ -42,8 +42,7 @@ DrawCase contacts_in(const ContactRange& range);
 Case draw_transformed(Draw& draw);
 
 /// Checks of that claim on drawn contacts.
-std::function<void(Draw&)> misses_nothing(std::string method,
-                                          DrawCase draw = contacts_in(kOrdinaryRange),
+std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw,
                                           SearchOptions options = kQuickSearch);
 
 /// A search drops no pair of boxes that holds the witness of a case, and its window never loses the
@@ -51,8 +50,7 @@ std::function<void(Draw&)> misses_nothing(std::string method,
 void claim_kept(const std::string& method, const Case& value, Draw& draw,
                 double precision = 0x1p-8);
 /// Checks of that claim on drawn contacts.
-std::function<void(Draw&)> keeps_contacts(std::string method,
-                                          DrawCase draw = contacts_in(kOrdinaryRange));
+std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw);
 
 /// What is claimed of contacts of plain patches, of each method that is proven to miss none:
 /// "METHOD.no_false_negative", "METHOD.no_false_negative_linear" by these options and

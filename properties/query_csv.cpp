@@ -2,31 +2,13 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
+#include "io/descriptor.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// A file without a name, for readers that take a path.
-class MemoryFile {
- public:
-  explicit MemoryFile(const std::string& content) : descriptor_(::memfd_create("text", 0)) {
-    CCDFUZZ_VERIFY(descriptor_ >= 0);
-    CCDFUZZ_VERIFY(::write(descriptor_, content.data(), content.size()) ==
-                   static_cast<ssize_t>(content.size()));
-  }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  std::string path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 /// What was read exactly and is doubles is written as rows that say the same.
 bool is_written_alike(const CsvQuery& read) {
@@ -70,12 +52,14 @@ void check_csv(Draw& d) {
   const CsvLayout layout = d.pick(kAllCsvLayouts);
   const std::string text = d.coin() ? draw_rows(d, layout) : d.text(kLongest);
   show(d, "text", AsHex{text});
-  const MemoryFile file(text);
-  CsvReader reader = CsvReader::open(file.path(), {.layout = layout}).value();
+  const Descriptor file(::memfd_create("text", MFD_CLOEXEC));
+  CCDFUZZ_VERIFY(*file >= 0 && write_all(*file, text) == 0);
+  const std::string path = fmt::format("/proc/self/fd/{}", *file);
+  CsvReader reader = CsvReader::open(path, {.layout = layout}).value();
   for (;;) {
     const Result<std::optional<CsvQuery>> read = reader.next();
     if (!read) {
-      CLAIM(read.error().where.find(file.path()) != std::string::npos);
+      CLAIM(read.error().where.find(path) != std::string::npos);
       CLAIM(!read.error().what.empty());
       return;
     }

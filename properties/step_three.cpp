@@ -104,16 +104,22 @@ std::optional<SeparatedInterval<double>> literal_separation(const Policy& policy
   return found;
 }
 
-/// Half of the windows begin or end where two lines cross, up to a few floats.
+/// Begins or ends a window where two lines cross, up to a few floats, if that may be one.
+void end_at_crossing(Draw& choices, const Line<double>& x, const Line<double>& y, bool begins,
+                     int floats, TimeWindow<double>& window) {
+  const double slope = x.slope + y.slope;
+  if (slope == 0) return;
+  const double t = choices.nudged(-((x.intercept + y.intercept) / slope), floats);
+  if (begins && 0 <= t && t <= window.hi) window.lo = t;
+  if (!begins && window.lo <= t && t <= 4) window.hi = t;
+}
+
+/// Half of the windows begin or end where two lines cross.
 void draw_window(Draw& choices, LinePairs& pairs) {
+  if (choices.coin()) return;
   const Line<double> x = pairs.f[choices.choose(pairs.f.size() - 1)];
   const Line<double> y = pairs.g[choices.choose(pairs.g.size() - 1)];
-  const double slope = x.slope + y.slope;
-  if (slope == 0 || choices.coin()) return;
-  const double t = choices.nudged(-((x.intercept + y.intercept) / slope), 2);
-  const bool begins = choices.coin();
-  if (begins && 0 <= t && t <= pairs.window.hi) pairs.window.lo = t;
-  if (!begins && pairs.window.lo <= t && t <= 4) pairs.window.hi = t;
+  end_at_crossing(choices, x, y, choices.coin(), 2, pairs.window);
 }
 
 /// To the window on which methods as released look, which may begin before 0.
@@ -199,8 +205,8 @@ struct Envelopes {
   TimeWindow<double> window;
 };
 
-/// Half of the windows begin where the first two lines cross, or end where the last two do, up to a
-/// few floats. There Eqs. 7, 8b and 9b are hard to judge.
+/// Half of the windows begin where the first two lines cross, or end where the last two do. There
+/// Eqs. 7, 8b and 9b are hard to judge.
 Envelopes draw_envelopes(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
   const auto [f, g] = selected_lines(ErrorBoundIntended(), pairs);
@@ -208,12 +214,7 @@ Envelopes draw_envelopes(Draw& d) {
   const bool at_start = d.coin(), near = d.coin();
   const Line<double>&x = at_start ? drawn.f[0] : drawn.f.back(),
         &y = at_start ? drawn.g[0] : drawn.g.back();
-  const double slope = x.slope + y.slope;
-  if (near && slope != 0) {
-    const double t = d.nudged(-((x.intercept + y.intercept) / slope), 20);
-    if (at_start && 0 <= t && t <= drawn.window.hi) drawn.window.lo = t;
-    if (!at_start && drawn.window.lo <= t && t <= 4) drawn.window.hi = t;
-  }
+  if (near) end_at_crossing(d, x, y, at_start, 20, drawn.window);
   show(d, "window", drawn.window);
   show(d, "f", drawn.f);
   show(d, "g", drawn.g);

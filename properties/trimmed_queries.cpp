@@ -1,4 +1,3 @@
-
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
