@@ -2,7 +2,3 @@
 #include "fuzz/target.hpp"
 
 const std::string_view ccdfuzz::kSuite = CCDFUZZ_SUITE;
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return ccdfuzz::check_input({data, size});
-}

@@ -60,8 +60,13 @@ std::size_t mutated_bytes(std::uint8_t* data, std::size_t size, std::size_t max_
 
 }  // namespace
 
-int check_input(std::span<const std::uint8_t> bytes) {
-  const auto input = claim_input(this_suite(), bytes);
+}  // namespace ccdfuzz
+
+/// Checks one of the suite's claims on the bytes (claim_input). A failure is printed with its
+/// operands and ends the process, so that libFuzzer keeps the input.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ccdfuzz;  // NOLINT: of this function alone
+  const auto input = claim_input(this_suite(), {data, size});
   if (!input) return -1;  // not for the corpus
   Draw choices = Draw::from_numbers(input->choices);
   const Check check = run(input->property, choices);
@@ -74,8 +79,6 @@ int check_input(std::span<const std::uint8_t> bytes) {
   }
   return 0;
 }
-
-}  // namespace ccdfuzz
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {

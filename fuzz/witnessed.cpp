@@ -4,7 +4,6 @@
 // their method, so that what they cover of it guides libFuzzer.
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdlib>
 #include <iostream>
 
