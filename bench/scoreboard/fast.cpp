@@ -34,10 +34,9 @@ constexpr std::array kFastFaults = {
 constexpr const char* kNone = "none";  // the right sources
 
 constexpr const char* kUsage =
-    R"(usage: scoreboard_fast FAULTS LEFT_OUT [all | none | FAULT]
+    R"(usage: scoreboard_fast FAULTS LEFT_OUT [none | FAULT]
 FAULTS: the list. LEFT_OUT: the file of names of those that plant could not plant.
-By default twenty faults and the right sources; none: these alone; FAULT: this one; all: every fault
-of the files that the twenty stand in, some of which only other properties notice.
+By default twenty faults and the right sources; none: these alone; FAULT: this one.
 )";
 
 std::vector<Property> properties_of_lines() {
@@ -75,26 +74,20 @@ Result<std::set<std::string>> names_in(const std::string& path) {
 /// list.
 Result<std::vector<int>> numbers_of(const std::vector<PlantedFault>& faults,
                                     const std::string& asked) {
-  const auto no_fault = [](std::string_view name) {
-    return input_error("", fmt::format("no fault \"{}\"", name));
-  };
-  std::set<std::string> files;
-  for (const std::string_view name : kFastFaults) {
-    const auto fault = std::ranges::find(faults, name, &PlantedFault::name);
-    if (fault == faults.end()) return no_fault(name);
-    files.insert(fault->file);
-  }
-  const auto is_wanted = [&](const PlantedFault& fault) {
-    if (asked.empty()) return std::ranges::find(kFastFaults, fault.name) != kFastFaults.end();
-    if (asked == "all") return files.contains(fault.file) && fault.equivalent.empty();
-    return fault.name == asked;
-  };
+  std::vector<std::string> names{kNone};
+  names.insert(names.end(), kFastFaults.begin(), kFastFaults.end());
+  if (!asked.empty()) names = {asked};
   std::vector<int> numbers;
-  if (asked.empty() || asked == "all" || asked == kNone) numbers.push_back(planted::kNone);
-  for (std::size_t f = 0; f < faults.size(); ++f) {
-    if (is_wanted(faults[f])) numbers.push_back(static_cast<int>(f + 1));
+  for (const std::string& name : names) {
+    const auto fault = std::ranges::find(faults, name, &PlantedFault::name);
+    if (name == kNone) {
+      numbers.push_back(planted::kNone);
+    } else if (fault != faults.end()) {
+      numbers.push_back(static_cast<int>(fault - faults.begin()) + 1);
+    } else {
+      return input_error("", fmt::format("no fault \"{}\"", name));
+    }
   }
-  if (numbers.empty()) return no_fault(asked);
   return numbers;
 }
 
