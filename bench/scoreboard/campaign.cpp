@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "drivers.hpp"
-#include "rows.hpp"
+#include "io/table.hpp"
 #include "verdict.hpp"
 #include "watch_apart.hpp"
 
@@ -60,7 +60,7 @@ class Course {
     return fault.equivalent.empty() ? limit_ : std::min(limit_, options_.weak_seconds);
   }
   const Record* known(const std::string& fault, double limit) const {
-    return records_.find(std::string(name_of(driver_)), fault, seed_, limit);
+    return records_.find(driver_, fault, seed_, limit);
   }
   bool is_watch_missing() const {
     if (!takes_the_same_course(driver_) || known(kWatchedFaults, limit_) != nullptr) return false;
@@ -118,7 +118,7 @@ class Course {
 
   Result<void> add(const std::string& fault, double limit, const Report& report,
                    bool watched = false) {
-    const Record record{std::string(name_of(driver_)),
+    const Record record{driver_,
                         fault,
                         seed_,
                         limit,
@@ -132,11 +132,11 @@ class Course {
                         ""};
     // The watched run decides more faults than were asked for.
     if (options_.verbose && (!watched || is_asked(options_, fault))) {
-      std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", record.driver, fault, seed_,
+      std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", name_of(driver_), fault, seed_,
                                watched ? "not triggered"
                                : record.detected
-                                   ? seconds_text(record.seconds)
-                                   : fmt::format("- ({})", seconds_text(record.seconds)),
+                                   ? duration_text(record.seconds)
+                                   : fmt::format("- ({})", duration_text(record.seconds)),
                                record.executions, record.found)
                 << std::flush;
     }

@@ -29,8 +29,9 @@ std::vector<PlantedFault> asked_faults(const CampaignOptions& options,
 Result<void> check_options(const CampaignOptions& options,
                            const std::vector<PlantedFault>& faults) {
   for (const std::string& name : options.drivers) {
-    const Result<Driver> driver = driver_named(name);
-    if (!driver) return input_error("--drivers", driver.error().what);
+    if (enum_named<Driver>(name)) continue;
+    return input_error("--drivers",
+                       fmt::format("no driver \"{}\"; there are: {}", name, enum_names<Driver>()));
   }
   for (const std::string& name : options.faults) {
     if (name == kNoFault || name == kWatchedFaults) continue;

@@ -1,7 +1,5 @@
 #include "drivers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -26,12 +24,9 @@ Query random_query(const std::function<double()>& number) {
   Query query;
   for (MovingPatch<double>& patch : query.patches) {
     patch.shape = Shape::triangle(2);
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (int i = 0; i < patch.shape.control_count(); ++i) {
-        const double x = number(), y = number(), z = number();
-        points->push_back({x, y, z});
-      }
-    }
+    patch.positions.resize(6);
+    patch.velocities.resize(6);
+    for_each_coordinate(patch, [&](double& x) { x = number(); });
   }
   return query;
 }

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "base/enum_names.hpp"
-#include "base/result.hpp"
 #include "run_apart.hpp"
 
 namespace ccdfuzz {
@@ -29,8 +28,6 @@ constexpr std::array<std::string_view, 8> names_of(Driver) {
           "corpus", "by-chance",  "properties", "hunt"};
 }
 inline constexpr auto kDrivers = all_of(Driver{});
-/// Errors: an unknown name, with the names that there are.
-Result<Driver> driver_named(std::string_view name);
 
 /// Those that know nothing of the problem, and parts of the hunt: they get less time.
 constexpr bool is_weak(Driver driver) {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "drivers.hpp"
 #include "fault_list.hpp"
 #include "io/fields.hpp"
 #include "io/run_file.hpp"
@@ -19,11 +19,15 @@ inline constexpr const char* kNoFault = "none";
 /// In place of a fault: a run of the right sources with all faults watched.
 inline constexpr const char* kWatchedFaults = "watched";
 
+/// Eight hex digits that change with what a fault is: its file, the right text and the wrong one.
+std::string definition_hash(const PlantedFault& fault);
+
 /// What one run of a driver against one fault gave.
 struct Record {
-  std::string driver, fault;  ///< fault: its name, or kNoFault, or kWatchedFaults
-  std::uint64_t seed = 0;     ///< from 1
-  double limit = 0;           ///< CPU seconds
+  Driver driver = {};
+  std::string fault;       ///< its name, or kNoFault, or kWatchedFaults
+  std::uint64_t seed = 0;  ///< from 1
+  double limit = 0;        ///< CPU seconds
   std::uint64_t reached = 0, triggered = 0, executions = 0;
   bool detected = false;
   /// No run of its own: the fault's wrong value never differed in a run of the right sources with
@@ -31,8 +35,8 @@ struct Record {
   bool watched = false;
   double seconds = 0;  ///< CPU, until it was detected or the limit
   std::string found;   ///< its first line
-  /// definition_hash of the fault that it was, or of all that were watched; empty: not known, or no
-  /// fault.
+  /// definition_hash of the fault that it was, or a hash of all that were watched; empty: not
+  /// known, or no fault.
   std::string definition;
 
   static void fields(auto& archive, auto& record) {
@@ -51,50 +55,39 @@ struct Record {
   }
 };
 
-/// The records of a campaign, kept in a file of a JSON object a line. Those of a campaign that goes
-/// on are in a journal beside it, so that an interrupted one resumes where it was.
+/// The records of campaigns, kept in a run file: one that was interrupted resumes where it was.
 class Records {
  public:
   enum class Use : std::uint8_t {
-    kRead,    ///< the file or its journal must be there; nothing is written
-    kExtend,  ///< both are begun where they are not
+    kRead,    ///< the file must be there; nothing is written
+    kExtend,  ///< it is begun where it is not
   };
 
-  /// Reads what file and journal have; no path: begins with nothing, and keeps it in memory. A last
-  /// line that is unfinished is left out. Errors: a line that is no record (parse_record); the file
-  /// or its folder cannot be written to; another campaign is at it.
+  /// Reads what the file has; no path: begins with nothing, and keeps it in memory. Errors, naming
+  /// line, field and value: a line is no record of a driver and one of the faults. Those of RunFile
+  /// and RunLines.
   static Result<Records> open(const std::string& path, const std::vector<PlantedFault>& faults,
                               Use use);
 
   /// The record of a run with at least this limit, if there is one.
-  const Record* find(const std::string& driver, const std::string& fault, std::uint64_t seed,
+  const Record* find(Driver driver, const std::string& fault, std::uint64_t seed,
                      double limit) const;
-  /// Adds a record, in the journal too.
+  /// Adds a record, in the file too.
   Result<void> add(Record record);
-  /// Puts the journal's records into the file.
-  Result<void> finish();
 
-  using Key = std::tuple<std::string, std::string, std::uint64_t>;
+  using Key = std::tuple<Driver, std::string, std::uint64_t>;
   const std::map<Key, Record>& all() const { return records_; }
   /// How many runs are not among all() because their fault was another by the same name.
   std::size_t outdated() const;
 
  private:
   explicit Records(const std::vector<PlantedFault>& faults);
-  Result<void> read_file();
-  /// What the journal has, which may have been begun for that.
-  Result<std::vector<std::string>> begin_journal();
-  Result<void> take_lines(const std::vector<std::string>& journal);
   void take(const Record& record);
 
-  std::string path_;
-  const std::vector<PlantedFault>* faults_;
   std::map<std::string, std::string> definitions_;  ///< by what Record::fault may name
   std::map<Key, Record> records_;
   std::set<Key> outdated_;
-  std::set<std::string, std::less<>> lines_;  ///< those of the file
-  std::optional<RunFile> journal_;
-  std::string added_;  ///< the lines that are in the journal only
+  std::optional<RunFile> file_;
 };
 
 }  // namespace ccdfuzz

@@ -6,19 +6,12 @@
 #include <limits>
 #include <sstream>
 
-#include "drivers.hpp"
+#include "bench/median.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// What was measured until something was noticed, or until the end without that.
 struct Measured {
@@ -28,7 +21,7 @@ struct Measured {
 
 /// What was not noticed took longer than all that was, whatever its limit. Where the median is of
 /// such, it is the least that the ends leave.
-double median(const std::vector<Measured>& all, bool is_whole) {
+double median_of(const std::vector<Measured>& all, bool is_whole) {
   std::vector<double> values;
   for (const Measured& m : all) {
     const bool last = is_whole && !m.is_whole;
@@ -56,8 +49,8 @@ Row row_of(const std::vector<const Record*>& runs) {
     executions.push_back({static_cast<double>(r->executions), r->detected});
   }
   if (row.detected == row.runs) row.limit = 0;
-  row.seconds = median(seconds, row.is_kill());
-  row.executions = median(executions, row.is_kill());
+  row.seconds = median_of(seconds, row.is_kill());
+  row.executions = median_of(executions, row.is_kill());
   return row;
 }
 
@@ -103,7 +96,7 @@ std::string cell(const Row& row) {
   const std::string of_runs = row.detected == row.runs || row.detected == 0
                                   ? ""
                                   : fmt::format(" ({} of {})", row.detected, row.runs);
-  if (row.is_kill()) return seconds_text(row.seconds) + of_runs;
+  if (row.is_kill()) return duration_text(row.seconds) + of_runs;
   if (row.reached == 0) return "not reached";
   if (row.triggered == 0) return "not triggered";
   return "missed" + of_runs;
@@ -111,20 +104,8 @@ std::string cell(const Row& row) {
 
 std::string markdown(const std::vector<PlantedFault>& faults, const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << "| driver | killed | reached | triggered | decided by the watched run | seeds | limit of "
-         "CPU time | median CPU time | median executions | false alarms "
-         "|\n|---|---|---|---|---|---|---|---|---|---|\n";
   const std::vector<DriverRow> drivers = driver_rows(rows);
-  for (const DriverRow& d : drivers) {
-    const char* at_least = d.censored ? "≥ " : "";
-    out << fmt::format(
-        "| `{}` | {} of {} | {} | {} | {} | {} | {} | {}{} | {}{:.0f} | {} of {} |\n", d.driver,
-        d.killed, d.faults, d.reached, d.triggered, d.watched,
-        range(static_cast<double>(d.least_runs), static_cast<double>(d.most_runs)),
-        d.most_limit == 0 ? "none was met" : range(d.limit, d.most_limit) + " s", at_least,
-        seconds_text(d.seconds), at_least, d.executions, d.false_alarms, d.clean_runs);
-  }
-  out << kLegend;
+  out << driver_table(drivers).to_markdown() << kLegend;
   out << "\n| fault | |";
   for (const DriverRow& d : drivers) out << " `" << d.driver << "` |";
   out << "\n|---|---|";
@@ -149,9 +130,33 @@ std::string markdown(const std::vector<PlantedFault>& faults, const std::vector<
 
 }  // namespace
 
-std::string seconds_text(double seconds) {
-  return seconds < 0.0995 ? fmt::format("{:.1f} ms", seconds * 1e3)
-                          : fmt::format("{:.2f} s", seconds);
+Table driver_table(const std::vector<DriverRow>& drivers) {
+  Table table({{"driver", Align::kLeft},
+               {"killed"},
+               {"reached"},
+               {"triggered"},
+               {"decided by the watched run"},
+               {"seeds"},
+               {"limit"},
+               {"median time"},
+               {"mean time"},
+               {"median executions"},
+               {"false alarms"}});
+  for (const DriverRow& d : drivers) {
+    const char* at_least = d.censored ? "≥ " : "";
+    table.add_row({{d.driver},
+                   {fmt::format("{} of {}", d.killed, d.faults)},
+                   {fmt::format("{}", d.reached)},
+                   {fmt::format("{}", d.triggered)},
+                   {fmt::format("{}", d.watched)},
+                   {range(static_cast<double>(d.least_runs), static_cast<double>(d.most_runs))},
+                   {d.most_limit == 0 ? "none was met" : range(d.limit, d.most_limit) + " s"},
+                   {at_least + duration_text(d.seconds)},
+                   {duration_text(d.mean_seconds)},
+                   {fmt::format("{}{:.0f}", at_least, d.executions)},
+                   {fmt::format("{} of {}", d.false_alarms, d.clean_runs)}});
+  }
+  return table;
 }
 
 std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records& records) {
@@ -161,7 +166,7 @@ std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records&
       const std::string name = f == 0 ? kNoFault : faults[f - 1].name;
       std::vector<const Record*> runs;
       for (const auto& [key, record] : records.all()) {
-        if (record.driver == name_of(driver) && record.fault == name) runs.push_back(&record);
+        if (record.driver == driver && record.fault == name) runs.push_back(&record);
       }
       if (runs.empty()) continue;
       rows.push_back(row_of(runs));
@@ -204,8 +209,8 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
     if (d.faults == 0) continue;
     d.mean_seconds /= static_cast<double>(d.faults);
     d.censored = 2 * d.killed <= d.faults;
-    d.seconds = median(seconds, !d.censored);
-    d.executions = median(executions, !d.censored);
+    d.seconds = median_of(seconds, !d.censored);
+    d.executions = median_of(executions, !d.censored);
     out.push_back(d);
   }
   return out;

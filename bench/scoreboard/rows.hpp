@@ -1,11 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "fault_list.hpp"
 #include "io/fields.hpp"
+#include "io/table.hpp"
 #include "records.hpp"
 
 namespace ccdfuzz {
@@ -82,8 +82,8 @@ struct DriverRow {
 std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records& records);
 std::vector<DriverRow> driver_rows(const std::vector<Row>& rows);
 
-/// "3.5 ms".
-std::string seconds_text(double seconds);
+/// A row a driver: how many faults it noticed, and how soon.
+Table driver_table(const std::vector<DriverRow>& drivers);
 
 /// Writes PREFIX.md, the drivers and then a line a fault with the median time of each driver.
 /// Writes PREFIX.json:

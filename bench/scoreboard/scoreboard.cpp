@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "base/number_text.hpp"
 #include "campaign.hpp"
 #include "fault_list.hpp"
-#include "io/table.hpp"
 #include "records.hpp"
 #include "rows.hpp"
 #include "verdict.hpp"
@@ -21,32 +19,6 @@ struct Options : CampaignOptions {
   std::string records, tables;
   bool no_runs = false;
 };
-
-/// A row a driver: how many faults it noticed, and how soon (rows.hpp).
-void print_summary(const std::vector<DriverRow>& drivers) {
-  Table table({{"driver", Align::kLeft},
-               {"faults"},
-               {"reached"},
-               {"triggered"},
-               {"killed"},
-               {"median time"},
-               {"median executions"},
-               {"mean time"},
-               {"false alarms"}});
-  for (const DriverRow& d : drivers) {
-    const char* at_least = d.censored ? ">= " : "";
-    table.add_row({{d.driver},
-                   {fmt::format("{}", d.faults)},
-                   {fmt::format("{}", d.reached)},
-                   {fmt::format("{}", d.triggered)},
-                   {fmt::format("{}", d.killed)},
-                   {at_least + seconds_text(d.seconds)},
-                   {fmt::format("{}{:.0f}", at_least, d.executions)},
-                   {seconds_text(d.mean_seconds)},
-                   {fmt::format("{} of {}", d.false_alarms, d.clean_runs)}});
-  }
-  std::cout << table.to_text(false);
-}
 
 int fail(const InputError& error) {
   std::cerr << error.message() << '\n';
@@ -71,10 +43,9 @@ int run_all(const Options& options) {
     if (const auto run = run_campaign(options, *faults, *records); !run) return fail(run.error());
   }
   if (records->all().empty()) return fail({options.records, "has no record"});
-  if (const auto finished = records->finish(); !finished) return fail(finished.error());
   // The watched run, and the file of records, tell of more.
   const std::vector<PlantedFault> asked = asked_faults(options, *faults);
-  print_summary(driver_rows(rows_of(asked, *records)));
+  std::cout << driver_table(driver_rows(rows_of(asked, *records))).to_text(false);
   if (!options.tables.empty()) {
     if (const auto written = write_tables(options.tables, asked, *records); !written) {
       return fail(written.error());
@@ -139,14 +110,12 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("PREFIX");
   CLI::Option* const records =
       app.add_option("--records", options.records,
-                     "What is known already. New records stand in FILE.partial until the campaign "
-                     "is over: one that stopped goes on from there")
+                     "What is known already. New records are appended: a campaign that stopped "
+                     "goes on from there")
           ->type_name("FILE");
-  CLI::Option* const no_runs = app.add_flag(
-      "--no-runs", options.no_runs,
-      "Runs nothing: prints, and writes to --tables, what the records say, with those of "
-      "FILE.partial: of a campaign that goes on they are only read, of one that ended put into "
-      "FILE");
+  CLI::Option* const no_runs =
+      app.add_flag("--no-runs", options.no_runs,
+                   "Runs nothing: prints, and writes to --tables, what the records say");
   no_runs->needs(records);
   for (CLI::Option* option : of_runs) no_runs->excludes(option);
 }

@@ -25,12 +25,9 @@ std::string wrong_answer(const char* method, const Case& known) {
 std::string contradiction(const Query& query) {
   const int fault = planted::active_fault;
   planted::active_fault = 0;
-  OracleOptions little;
-  little.max_pops = 300;
-  little.max_tree_nodes = 2000;
   Case known;
   known.query = query;
-  known.truth = decide(query, little).truth;
+  known.truth = decide(query, {.max_pops = 300, .max_tree_nodes = 2000}).truth;
   planted::active_fault = fault;
   if (const auto checked = check_truth(known); !checked) return checked.error().message();
   const bool ordinary = is_within_scale(query, kErrorBoundScale);

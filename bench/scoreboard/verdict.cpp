@@ -17,14 +17,14 @@ std::string indented(const std::string& command) {
 std::string repetition(const Record& r) {
   return indented(
       fmt::format("--drivers {} --faults {} --only-seed {} --seconds {} --weak-seconds {}",
-                  r.driver, r.fault, r.seed, 2 * r.limit, 2 * r.limit));
+                  name_of(r.driver), r.fault, r.seed, 2 * r.limit, 2 * r.limit));
 }
 
 bool is_survivor(const PlantedFault& fault, const Records& records) {
   bool asked = false;
   for (const auto& [key, record] : records.all()) {
     if (record.fault != fault.name) continue;
-    if (record.driver != "properties" && record.driver != "hunt") continue;
+    if (is_weak(record.driver)) continue;
     if (record.detected) return false;
     asked = true;
   }
@@ -36,13 +36,13 @@ bool is_survivor(const PlantedFault& fault, const Records& records) {
 std::string alarm(const Record& r, const std::vector<PlantedFault>& faults) {
   if (!r.detected) return "";
   if (r.fault == kNoFault || r.fault == kWatchedFaults) {
-    return fmt::format("false alarm: {} seed {}{}: {}{}", r.driver, r.seed,
+    return fmt::format("false alarm: {} seed {}{}: {}{}", name_of(r.driver), r.seed,
                        r.fault == kNoFault ? "" : ", all faults watched", r.found, repetition(r));
   }
   const auto fault = std::ranges::find(faults, r.fault, &PlantedFault::name);
   if (fault == faults.end() || fault->equivalent.empty()) return "";
-  return fmt::format("equivalent, but noticed: {} by {} seed {}: {}{}", r.fault, r.driver, r.seed,
-                     r.found, repetition(r));
+  return fmt::format("equivalent, but noticed: {} by {} seed {}: {}{}", r.fault, name_of(r.driver),
+                     r.seed, r.found, repetition(r));
 }
 
 std::vector<std::string> complaints(const std::vector<PlantedFault>& faults,

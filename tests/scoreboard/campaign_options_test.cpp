@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers.hpp"
-
 namespace ccdfuzz {
 namespace {
 
@@ -22,10 +20,6 @@ TEST(CampaignOptions, NameTheirFaultsUnlessAllAreWatched) {
   EXPECT_TRUE(asked_faults(options, faults).empty());
   options.faults = {"watched"};
   EXPECT_EQ(asked_faults(options, faults).size(), 2);
-}
-
-TEST(CampaignOptions, EveryDriverIsFoundByItsName) {
-  for (const Driver driver : kDrivers) EXPECT_EQ(driver_named(name_of(driver)), driver);
 }
 
 }  // namespace

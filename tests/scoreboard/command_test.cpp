@@ -36,7 +36,7 @@ TEST(ScoreboardCommand, RefusesWhatItCannotRun) {
       {{"--records", "/nosuch/r"}, "/nosuch/r: cannot write: "},
       {{"--no-runs"}, "--no-runs requires --records"},
       {{"--no-runs", "--records", "/nosuch/r"}, "/nosuch/r: cannot read: "},
-      {{"--no-runs", "--records", "/dev/null"}, "/dev/null: has no record"},
+      {{"--no-runs", "--records", "/dev/null"}, "/dev/null: is not a regular file"},
       {{"--no-runs", "--records", kTrackedRecords, "--seeds", "1"}, "excludes --no-runs"}};
   for (const auto& [arguments, message] : wrong) {
     const Finished refused = run(arguments);
@@ -48,19 +48,19 @@ TEST(ScoreboardCommand, RefusesWhatItCannotRun) {
 
 TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
   const ScratchFolder folder;
-  const std::string path = folder / "r";
-  std::filesystem::copy_file(kTrackedRecords, path);
-  const Finished done = run({"--no-runs", "--records", path, "--tables", folder / "t"});
+  const Finished done = run({"--no-runs", "--records", kTrackedRecords, "--tables", folder / "t"});
   EXPECT_EQ(done.code, 0) << done.err << done.out;
   EXPECT_THAT(done.out, AllOf(StartsWith("driver"), HasSubstr("\nproperties ")));
-  EXPECT_EQ(folder.entry_count(), 4);
-  EXPECT_EQ(read_text(path), read_text(kTrackedRecords));
+  EXPECT_EQ(folder.entry_count(), 2);
   EXPECT_THAT(read_text(folder / "t.md"), StartsWith("| driver |"));
 }
 
 TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
   const ScratchFolder folder;
   write_text(folder / "r",
+             R"({"format":"ccdfuzz-run","version":1,"run":"scoreboard","ccdfuzz":"","inputs":[],)"
+             R"("asked":{},"items":0,"shard":{"index":0,"of":1}})"
+             "\n"
              R"({"driver":"hunt","fault":"tdibm.stale_window","seed":2,"limit":10.0,"reached":1,)"
              R"("triggered":1,"detected":true,"executions":1,"seconds":0.5,"found":"x",)"
              R"("watched":false})"
@@ -72,7 +72,7 @@ TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
 
 TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
   const ScratchFolder folder;
-  const std::string path = folder / "r", journal = path + ".partial";
+  const std::string path = folder / "r";
   const std::vector<std::string> all = {"--drivers",      "properties,corpus",
                                         "--faults",       "product.sign,bound.zero",
                                         "--seeds",        "2",
@@ -81,16 +81,15 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
                                         "--records",      path};
   {
     Process killed(all);
-    const auto is_begun = [&] { return size_or_zero(journal) > 500; };
+    const auto is_begun = [&] { return size_or_zero(path) > 500; };
     killed.wait_until(is_begun);
     ASSERT_TRUE(is_begun());
   }
-  const std::uintmax_t size = std::filesystem::file_size(journal);
-  EXPECT_FALSE(std::filesystem::exists(path));
+  const std::uintmax_t size = std::filesystem::file_size(path);
   const Finished done = run(all);
   EXPECT_EQ(done.code, 0) << done.err << done.out;
   EXPECT_EQ(folder.entry_count(), 1);
-  EXPECT_GT(std::filesystem::file_size(path), size / 2);
+  EXPECT_GT(std::filesystem::file_size(path), size);
   const std::string text = read_text(path);
   for (const char* start : {R"({"driver":"properties","fault":"none","seed":1,)",
                             R"({"driver":"properties","fault":"bound.zero","seed":2,)",
@@ -113,7 +112,7 @@ TEST(ScoreboardCommand, TellsOfTheFaultsThatWereAskedForAlone) {
     EXPECT_THAT(line, testing::ContainsRegex("^traces +(none|watched|bound.zero) ")) << line;
   }
   EXPECT_GE(runs, 2) << done.out;
-  EXPECT_THAT(done.out, testing::ContainsRegex("\ntraces +1 ")) << done.out;
+  EXPECT_THAT(done.out, testing::ContainsRegex("\ntraces +[01] of 1 ")) << done.out;
   const auto tables = nlohmann::json::parse(read_text(folder / "t.json"));
   EXPECT_EQ(tables["rows"].size(), 2U) << tables;
 }

@@ -19,7 +19,7 @@ struct Run {
 void add_runs(Records& records, const char* fault, const std::vector<Run>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Record r;
-    r.driver = "hunt", r.fault = fault, r.seed = i + 1, r.detected = runs[i].detected;
+    r.driver = Driver::kHunt, r.fault = fault, r.seed = i + 1, r.detected = runs[i].detected;
     r.limit = r.detected ? 100 : runs[i].seconds;
     r.seconds = runs[i].seconds;
     r.executions = static_cast<std::uint64_t>(1000 * runs[i].seconds);
