@@ -167,8 +167,6 @@ class Search {
   requires std::constructible_from<Inclusion, Parts...>
   explicit Search(Parts&&... parts) : inclusion_(std::forward<Parts>(parts)...) {}
 
-  const Inclusion& inclusion() const { return inclusion_; }
-
   /// Any bits may be asked about. What is no valid query (is_taken) is refused; the inclusion is
   /// given valid queries alone. toi is the start of the first window that was narrow enough.
   Answer answer(const Query& query, const SearchOptions& options) {

@@ -67,11 +67,6 @@ class TdibmInclusion {
   std::array<OnAxis, 2> scratch_;
 };
 
-extern template class TdibmInclusion<Plain>;
-extern template class TdibmInclusion<PullApart>;
-extern template class TdibmInclusion<ErrorBoundIntended>;
-extern template class TdibmInclusion<ErrorBoundPrinted>;
-
 /// The paper's methods: `tdibm` (Plain), `tdibm-h:F` (PullApart), `tdibm-e` (ErrorBoundIntended),
 /// `tdibm-e-literal` (ErrorBoundPrinted). toi is as safe as Policy is.
 template <class Policy>

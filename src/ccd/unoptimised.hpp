@@ -29,11 +29,6 @@ class UnoptimisedInclusion {
   std::array<std::array<Cell, 4>, 2> cells_;
 };
 
-extern template class UnoptimisedInclusion<Plain>;
-extern template class UnoptimisedInclusion<PullApart>;
-extern template class UnoptimisedInclusion<ErrorBoundIntended>;
-extern template class UnoptimisedInclusion<ErrorBoundPrinted>;
-
 /// `tdibm@unoptimised` and so on.
 template <class Policy>
 using UnoptimisedTdibm = Search<UnoptimisedInclusion<Policy>>;

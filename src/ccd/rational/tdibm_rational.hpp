@@ -18,8 +18,6 @@ namespace ccdfuzz {
 /// most between queries.
 class TdibmRational : private Search<exact_ccd::PairTest> {
  public:
-  using Search::inclusion;
-
   /// As of Search; a hit at the start is moved past it where past_start proves that.
   Answer answer(const Query& query, const SearchOptions& options) {
     return past_start(query, Search::answer(query, options));
