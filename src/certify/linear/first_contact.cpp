@@ -67,8 +67,8 @@ std::optional<RealRoot> first_contact(const Patches& patches, const Rational& un
   std::optional<RealRoot> first;
   for (const Corners& corners : triangles_of(patches[0].shape, patches[1].shape)) {
     const auto triangle = differences(patches, corners, denominator);
-    std::optional<RealRoot> t = distance > 0 ? first_near(triangle, distance, until)
-                                             : OriginInTriangle(triangle).first(until);
+    std::optional<RealRoot> t =
+        distance > 0 ? first_near(triangle, distance, until) : first_at_origin(triangle, until);
     if (t && (!first || compare(*t, *first) < 0)) first = std::move(t);
   }
   return first;

@@ -6,48 +6,19 @@
 
 namespace ccdfuzz::linear {
 
-OriginInTriangle::OriginInTriangle(const std::array<MovingVector, 3>& p) {
-  std::array<MovingVector, 3> n;
-  for (size_t i = 0; i < 3; ++i) n[i] = cross(p[(i + 1) % 3], p[(i + 2) % 3]);
-  det_ = dot(p[0], n[0]);
-  for (size_t i = 0; i < 3; ++i) {
-    same_side_[i] = dot(n[(i + 1) % 3], n[(i + 2) % 3]);
-    dots_[i] = dot(p[(i + 1) % 3], p[(i + 2) % 3]);
-    spread_ += dot(n[i], n[i]);
-  }
-}
-
-/// Given that the determinant is 0 at t.
-bool OriginInTriangle::contains(RealRoot& t) const {
-  for (const Polynomial& s : same_side_) {
-    if (t.sign_of(s) < 0) return false;
-  }
-  if (t.sign_of(spread_) > 0) return true;
-  return std::ranges::any_of(dots_, [&](const Polynomial& d) { return t.sign_of(d) <= 0; });
-}
-
-std::optional<RealRoot> OriginInTriangle::first(const Rational& until) const {
-  const auto first_among = [&](const Polynomial& p) -> std::optional<RealRoot> {
-    for (RealRoot& t : roots_in(p, 0, until)) {
-      if (contains(t)) return t;
-    }
-    return std::nullopt;
-  };
-  if (!det_.is_zero()) return first_among(det_);
-  if (RealRoot start(0); contains(start)) return start;
-  std::optional<RealRoot> least;
-  const auto consider = [&](const Polynomial& p) {
-    if (p.is_zero()) return;
-    std::optional<RealRoot> t = first_among(p);
-    if (t && (!least || compare(*t, *least) < 0)) least = std::move(t);
-  };
-  for (const Polynomial& s : same_side_) consider(s);
-  for (const Polynomial& d : dots_) consider(d);
-  consider(spread_);
-  return least;
-}
-
 namespace {
+
+/// Makes `least` the first root of p in the closed [0, until] at which it holds, if that is less.
+template <class Holds>
+void take_first(const Polynomial& p, const Rational& until, const Holds& holds,
+                std::optional<RealRoot>& least) {
+  if (p.is_zero()) return;
+  for (RealRoot& t : roots_in(p, 0, until)) {
+    if (!holds(t)) continue;
+    if (!least || compare(t, *least) < 0) least = std::move(t);
+    return;
+  }
+}
 
 /// The point nearest to the origin on a corner of a triangle, on the line of an edge or on the
 /// plane: Σ weights·corners / sum. It is of the corner, edge or triangle iff the weights are ≥ 0
@@ -91,6 +62,34 @@ Foot foot_of_origin(const std::array<MovingVector, 3>& p, size_t feature) {
 
 }  // namespace
 
+std::optional<RealRoot> first_at_origin(const std::array<MovingVector, 3>& p,
+                                        const Rational& until) {
+  std::array<MovingVector, 3> n;
+  for (size_t i = 0; i < 3; ++i) n[i] = cross(p[(i + 1) % 3], p[(i + 2) % 3]);
+  const Polynomial det = dot(p[0], n[0]);
+  std::array<Polynomial, 3> same_side, dots;
+  Polynomial spread;
+  for (size_t i = 0; i < 3; ++i) {
+    same_side[i] = dot(n[(i + 1) % 3], n[(i + 2) % 3]);
+    dots[i] = dot(p[(i + 1) % 3], p[(i + 2) % 3]);
+    spread += dot(n[i], n[i]);
+  }
+  // Given that the determinant is 0 at t.
+  const auto contains = [&](RealRoot& t) {
+    return std::ranges::none_of(same_side, [&t](const auto& s) { return t.sign_of(s) < 0; }) &&
+           (t.sign_of(spread) > 0 ||
+            std::ranges::any_of(dots, [&t](const auto& d) { return t.sign_of(d) <= 0; }));
+  };
+  std::optional<RealRoot> least;
+  take_first(det, until, contains, least);
+  if (!det.is_zero()) return least;
+  if (RealRoot start(0); contains(start)) return start;
+  for (const Polynomial& s : same_side) take_first(s, until, contains, least);
+  for (const Polynomial& d : dots) take_first(d, until, contains, least);
+  take_first(spread, until, contains, least);
+  return least;
+}
+
 std::optional<RealRoot> first_near(const std::array<MovingVector, 3>& p, const Integer& distance,
                                    const Rational& until) {
   const Polynomial squared({Integer(distance * distance)});
@@ -103,12 +102,7 @@ std::optional<RealRoot> first_near(const std::array<MovingVector, 3>& p, const I
     };
     const Polynomial excess = foot.square - squared * foot.sum;
     if (RealRoot start(0); start.sign_of(excess) <= 0 && is_in_triangle(start)) return start;
-    if (excess.is_zero()) continue;
-    for (RealRoot& t : roots_in(excess, 0, least ? least->hi() : until)) {
-      if (!is_in_triangle(t)) continue;
-      if (!least || compare(t, *least) < 0) least = std::move(t);
-      break;
-    }
+    take_first(excess, least ? least->hi() : until, is_in_triangle, least);
   }
   return least;
 }

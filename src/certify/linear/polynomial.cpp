@@ -117,13 +117,7 @@ Polynomial reduced(const Polynomial& a, const Polynomial& b) {
   return Polynomial(std::move(r));
 }
 
-}  // namespace
-
-Polynomial remainder(Polynomial a, const Polynomial& b) {
-  while (a.degree() >= b.degree()) a = reduced(a, b);
-  return a.primitive();
-}
-
+/// A multiple of a / b, primitive. Requires b ≠ 0 that divides a over the rationals.
 Polynomial quotient(Polynomial a, const Polynomial& b) {
   std::vector<Integer> q(static_cast<size_t>(std::max(a.degree() - b.degree() + 1, 0)));
   const Integer scale = abs(b.leading());
@@ -136,11 +130,13 @@ Polynomial quotient(Polynomial a, const Polynomial& b) {
   return Polynomial(std::move(q)).primitive();
 }
 
+}  // namespace
+
 Polynomial gcd(Polynomial a, Polynomial b) {
   while (!b.is_zero()) {
-    Polynomial r = remainder(std::move(a), b);
-    a = std::move(b);
-    b = std::move(r);
+    while (a.degree() >= b.degree()) a = reduced(a, b);
+    a = a.primitive();
+    std::swap(a, b);
   }
   return a.primitive();
 }

@@ -67,12 +67,6 @@ class PolynomialPart {
   std::vector<Integer> coefficients_;
 };
 
-/// A positive multiple of the remainder of a by b, primitive. Requires b ≠ 0.
-Polynomial remainder(Polynomial a, const Polynomial& b);
-
-/// A multiple of a / b, primitive. Requires b ≠ 0 that divides a over the rationals.
-Polynomial quotient(Polynomial a, const Polynomial& b);
-
 /// The greatest common divisor over the rationals, primitive; of zero and a, a.
 Polynomial gcd(Polynomial a, Polynomial b);
 

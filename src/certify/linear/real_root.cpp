@@ -8,15 +8,9 @@ namespace ccdfuzz::linear {
 
 namespace {
 
-Rational middle_of(const Rational& lo, const Rational& hi) {
-  return (lo + hi) / 2;
-}
-
 /// The root of a polynomial of degree 1.
 Rational linear_root(const Polynomial& p) {
-  Rational root(-p[0], p[1]);
-  root.canonicalize();
-  return root;
+  return Rational(-p[0]) / p[1];
 }
 
 /// Those in the open (lo, hi), in their order. p squarefree, `part` on [lo, hi]. By Descartes' rule
@@ -30,7 +24,7 @@ void isolate(const Polynomial& p, const PolynomialPart& part, const Rational& lo
   if (changes == 1 && part.sign_at_lo() * part.sign_at_hi() < 0) {
     return out.push_back(RealRoot(p, part, lo, hi));
   }
-  const Rational middle = middle_of(lo, hi);
+  const Rational middle = (lo + hi) / 2;
   const PolynomialPart upper = part.half(true);
   isolate(p, part.half(false), lo, middle, out);
   if (upper.sign_at_lo() == 0) out.emplace_back(middle);
@@ -50,7 +44,7 @@ Polynomial RealRoot::polynomial() const {
 
 void RealRoot::refine() {
   if (is_rational()) return;
-  Rational middle = middle_of(lo_, hi_);
+  Rational middle = (lo_ + hi_) / 2;
   PolynomialPart upper = part_.half(true);
   if (upper.sign_at_lo() == 0) {
     lo_ = hi_ = std::move(middle);
