@@ -17,9 +17,7 @@ Vec3<Integer> scaled_by(const Integer& scale, const Vec3<Rational>& v) {
 }
 
 Rational fraction(const Integer& x, const Integer& y) {
-  Rational out(x, y);
-  out.canonicalize();
-  return out;
+  return Rational(x) / y;
 }
 
 /// The place of the point that reaches least along a direction, or, of `sign` −1, furthest.

@@ -15,9 +15,7 @@ namespace {
 double root_below(const Rational& x) {
   constexpr unsigned kBits = 64;
   const Integer root = sqrt(Integer(x.get_num() * x.get_den() << 2 * kBits));
-  Rational below(root, Integer(x.get_den() << kBits));
-  below.canonicalize();
-  return round_down(below);
+  return round_down(Rational(root) / Integer(x.get_den() << kBits));
 }
 
 struct Extent {

@@ -31,9 +31,7 @@ inline Rational root_above(const Rational& x) {
   const Integer product = p * q;
   const size_t has = bits_of(product) / 2;
   const size_t k = has < kTimeBits + 1 ? kTimeBits + 1 - has : 0;
-  Rational root(Integer(sqrt(Integer(product << (2 * k))) + 1), Integer(q << k));
-  root.canonicalize();
-  return root;
+  return Rational(sqrt(Integer(product << (2 * k))) + 1) / Integer(q << k);
 }
 
 /// x rounded down to a multiple of the unit.
