@@ -36,4 +36,12 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// 24 well mixed bits.
+inline size_t hash_of(const Cell& cell) {
+  std::uint64_t h = cell.i * 0x9e3779b97f4a7c15 ^ cell.j * 0xc2b2ae3d27d4eb4f;
+  h += static_cast<std::uint64_t>(cell.depth) * 2 + (cell.inverted ? 1 : 0);
+  h ^= h >> 32;
+  return h * 0x9e3779b97f4a7c15 >> 40;
+}
+
 }  // namespace ccdfuzz

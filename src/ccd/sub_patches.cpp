@@ -6,17 +6,6 @@
 
 namespace ccdfuzz {
 
-namespace {
-
-size_t place_of(const Cell& cell) {
-  std::uint64_t hash = cell.i * 0x9e3779b97f4a7c15 ^ cell.j * 0xc2b2ae3d27d4eb4f;
-  hash ^= static_cast<std::uint64_t>(2 * cell.depth + (cell.inverted ? 1 : 0)) << 32;
-  hash *= 0x9e3779b97f4a7c15;
-  return (hash >> 32) % SubPatches::kSplits;
-}
-
-}  // namespace
-
 void SubPatches::begin(const Query& query) {
   query_ = &query;
   for (size_t side = 0; side < 2; ++side) {
@@ -38,7 +27,7 @@ void SubPatches::prepare(int side, std::span<const Cell> parts) {
   const MovingPatch<double>& patch = query_->patches[side];
   const auto count = static_cast<size_t>(patch.shape.control_count());
   Families& kept = kept_[side];
-  const size_t place = place_of(parts[0]);
+  const size_t place = hash_of(parts[0]) % kSplits;
   const bool is_rational = patch.is_rational();
   Homogeneous& h = homogeneous_[static_cast<size_t>(side)];
   const Points<double>& positions = is_rational ? h.positions : patch.positions;

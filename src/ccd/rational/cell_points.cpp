@@ -12,13 +12,6 @@ namespace {
 /// Largest family: the four children of a triangle or tensor patch.
 constexpr size_t kFamily = 4;
 
-size_t hash(const Cell& cell) {
-  std::uint64_t h = cell.i * 0x9e3779b97f4a7c15ULL ^ cell.j * 0xc2b2ae3d27d4eb4fULL;
-  h += static_cast<std::uint64_t>(cell.depth) * 2 + (cell.inverted ? 1 : 0);
-  h ^= h >> 32;
-  return static_cast<size_t>(h * 0x9e3779b97f4a7c15ULL >> 40);
-}
-
 }  // namespace
 
 void CellPointsCache::begin(const Shape& shape, const Points<double>& positions,
@@ -47,7 +40,7 @@ int CellPointsCache::roundings(const Shape& shape, bool is_rational) {
 }
 
 CellPoints CellPointsCache::family(std::span<const Cell> parts) {
-  const size_t index = hash(parts[0]) % kSlots;
+  const size_t index = hash_of(parts[0]) % kSlots;
   double* data = points_.data() + index * kFamily * 6 * static_cast<size_t>(width_);
   Slot& slot = slots_[index];
   if (slot.size != parts.size() || !(slot.first == parts[0])) {
