@@ -51,19 +51,19 @@ void CertifiedTracer::split(const certified::CellPair& pair, const TraceOptions&
   const std::array<Cell, 2> cells = {split_.tree(0).cell(pair.cells[0]),
                                      split_.tree(1).cell(pair.cells[1])};
   parts.split(split_.query().shapes, cells);
-  for (const std::array<int, 2>& children : ChildChoices(path_, parts, options.all)) {
-    const std::array<Cell, 2> tested = {parts.cells[0][static_cast<size_t>(children[0])],
-                                        parts.cells[1][static_cast<size_t>(children[1])]};
+  for_each_choice(path_, parts, options.all, [&](int a, int b) {
+    const std::array<Cell, 2> tested = {parts.cells[0][static_cast<size_t>(a)],
+                                        parts.cells[1][static_cast<size_t>(b)]};
     watch_.look_at({pair.depths[0] + 1, tested, pair.window});
     std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
     std::optional<Window> left;
-    if (split_.split(pair, {1U << children[0], 1U << children[1]}, kept, &watch_) > 0) {
+    if (split_.split(pair, {1U << a, 1U << b}, kept, &watch_) > 0) {
       left = kept[0].window;
       // A pair whose window lost the witness is not followed further.
       if (watch_.holds(*left)) next_.push_back(kept[0]);
     }
     watch_.judge(left);
-  }
+  });
 }
 
 }  // namespace ccdfuzz

@@ -31,17 +31,17 @@ class InclusionTracer {
     parts_.prepare(inclusion_);
     now_.clear();
     for (auto* level : {&now_, &next_}) level->reserve(kMostOfLevel);
-    test({0, 0}, Window{0, query.t_max}, now_);
+    test(0, 0, Window{0, query.t_max}, now_);
     for (int level = 0; level < target && !now_.empty(); ++level) {
       next_.clear();
       for (const Pair& pair : now_) {
         parts_.split(shapes, pair.cells);
         parts_.trim(pair.cells, pair.crossed);
         parts_.prepare(inclusion_);
-        const ChildChoices choices(path_, parts_, options.all);
         for (const Window& window : time_parts<Inclusion>(pair.window)) {
           if (!path_.time().within(window)) continue;
-          for (const std::array<int, 2>& children : choices) test(children, window, next_);
+          for_each_choice(path_, parts_, options.all,
+                          [&](int a, int b) { test(a, b, window, next_); });
           // Halves of a window of one time are the same.
           if (!options.all || pair.window.lo == pair.window.hi) break;
         }
@@ -58,11 +58,10 @@ class InclusionTracer {
     unsigned crossed;  ///< as Search has it
   };
 
-  void test(const std::array<int, 2>& children, const Window& window, std::vector<Pair>& kept) {
-    const std::array<Cell, 2> cells = {parts_.cells[0][static_cast<size_t>(children[0])],
-                                       parts_.cells[1][static_cast<size_t>(children[1])]};
+  void test(int a, int b, const Window& window, std::vector<Pair>& kept) {
+    const std::array<Cell, 2> cells = {parts_.cells[0][static_cast<size_t>(a)],
+                                       parts_.cells[1][static_cast<size_t>(b)]};
     watch_.look_at({cells[0].depth, cells, window});
-    const auto& [a, b] = children;
     std::optional<Window> left;
     if (parts_.counts(a, b)) left = inclusion_.test(a, b, window, &watch_);
     if (watch_.judge(left)) kept.push_back({*left, cells, parts_.crossed(a, b)});
