@@ -9,22 +9,10 @@ namespace Eigen {
 /// What Eigen must know of an exact scalar: no rounding, so no epsilon and no precision.
 template <class Exact>
 struct ExactNumTraits : GenericNumTraits<Exact> {
-  using Real = Exact;
   using NonInteger = Exact;
-  using Nested = Exact;
-  using Literal = Exact;
-  enum {
-    IsInteger = 0,
-    IsSigned = 1,
-    IsComplex = 0,
-    RequireInitialization = 1,
-    ReadCost = 6,
-    AddCost = 150,
-    MulCost = 100
-  };
+  enum { IsInteger = 0, IsSigned = 1, ReadCost = 6, AddCost = 150, MulCost = 100 };
   static constexpr bool kIsExact = true;
   static Exact epsilon() { return Exact(0); }
-  static Exact dummy_precision() { return Exact(0); }
   static int digits10() { return 0; }
 };
 
@@ -54,7 +42,8 @@ template <class S>
 S from_double(double x) {
   if constexpr (std::is_same_v<S, double>) return x;
   if constexpr (std::is_same_v<S, Rational>) return exact(x);
-  if constexpr (std::is_same_v<S, Dyadic> || std::is_same_v<S, Fraction>) return Dyadic::exact(x);
+  if constexpr (std::is_same_v<S, Fraction>) return Dyadic::exact(x);
+  if constexpr (requires { S::exact(x); }) return S::exact(x);
 }
 
 }  // namespace ccdfuzz

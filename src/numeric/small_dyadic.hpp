@@ -151,11 +151,6 @@ class SmallDyadic {
   bool fits_ = true;
 };
 
-template <>
-inline SmallDyadic from_double<SmallDyadic>(double x) {
-  return SmallDyadic::exact(x);
-}
-
 }  // namespace ccdfuzz
 
 namespace Eigen {
