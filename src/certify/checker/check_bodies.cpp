@@ -229,17 +229,15 @@ Result<void> check_body_contact(const Query& query, const Witness& witness,
   return within_work(kWitness, most_work, check_contact_within, query, witness);
 }
 
-Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
-                                  std::uint64_t most_work) {
-  return within_work(kBodyClear, most_work, [&](Work& work) {
+Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance) {
+  return within_work(kBodyClear, kMostWork, [&](Work& work) {
     const auto& [a, b] = query.patches;
     return check_direction(query, a.positions, b.positions, clearance, work);
   });
 }
 
-Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance,
-                                  std::uint64_t most_work) {
-  return within_work(kBodyClear, most_work, check_faces, query, clearance);
+Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance) {
+  return within_work(kBodyClear, kMostWork, check_faces, query, clearance);
 }
 
 }  // namespace ccdfuzz

@@ -23,18 +23,16 @@ Result<void> check_body_contact(const Query& query, const Witness& witness,
 
 /// Certificate K: checks that the two bodies are farther apart than the reach at every t in [0,
 /// until), or in the closed [0, until]. Requires a valid query. Errors: what is wrong, naming the
-/// field; more than most_work.
+/// field; more than kMostWork.
 ///
 /// Proof. Let g(t) = min normal·(points of patch 1) − max normal·(points of patch 2). The hulls are
 /// no nearer than g/|normal|. Each body moves by one velocity, so g is linear in t. What holds
 /// strictly at 0, and at `until` strictly or (half-open) not strictly, holds between them.
-Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
-                                  std::uint64_t most_work = kMostWork);
+Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance);
 
 /// Certificate F: checks certificate K of each face of a mesh that is there (case/mesh.hpp), as the
 /// hull of its corners. Requires a valid query of bodies. Errors: there are more normals than such
 /// faces, or fewer; as of certificate K.
-Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance,
-                                  std::uint64_t most_work = kMostWork);
+Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance);
 
 }  // namespace ccdfuzz

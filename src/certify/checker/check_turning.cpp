@@ -327,9 +327,7 @@ Rational root_above(const Rational& x, Work& work) {
   const Integer scaled = Integer(x.get_num() * x.get_den()) << (2 * kBits);
   Integer root = sqrt(scaled);
   if (root * root < scaled) ++root;
-  Rational out(root, Integer(x.get_den() << kBits));
-  out.canonicalize();
-  return out;
+  return Rational(root) / Integer(x.get_den() << kBits);
 }
 
 std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
@@ -385,13 +383,12 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
 }
 
 Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
-                              const Rational& until, std::uint64_t most_work) {
-  return within_work(kPlanes, most_work, check_between, query, plane, until);
+                              const Rational& until) {
+  return within_work(kPlanes, kMostWork, check_between, query, plane, until);
 }
 
-Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
-                               std::uint64_t most_work) {
-  return within_work(kPlanes, most_work, check_planes_of_bodies, query, clearance);
+Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance) {
+  return within_work(kPlanes, kMostWork, check_planes_of_bodies, query, clearance);
 }
 
 }  // namespace ccdfuzz

@@ -22,7 +22,7 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
 
 /// Certificate N: checks that two bodies are farther apart than the reach (check_bodies.hpp) at
 /// every t in the closed [0, until]. Requires a valid query of bodies. Errors: what is wrong,
-/// naming the field; more than most_work.
+/// naming the field; more than kMostWork.
 ///
 /// Proof. Each point's height above the plane, times D ≥ 0, is G·D + H: D is |q|² of a quaternion,
 /// |q| of cosine and sine, or 1. All are polynomials in t but |q|, and D > 0 in [0, 1]. What is
@@ -37,11 +37,10 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
 /// at most |v|³/6. With r the product of both series, |q p q* − r p r*| is no larger than
 /// |q − r|·(2 + |q − r|)·|p|. A height is off by no more than |n| times that, and is to be > 0 by
 /// so much.
-Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
-                               std::uint64_t most_work = kMostWork);
+Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance);
 
 /// The same of one plane, from its time until a later one.
 Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
-                              const Rational& until, std::uint64_t most_work = kMostWork);
+                              const Rational& until);
 
 }  // namespace ccdfuzz
