@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "base/fp_guard.hpp"
 #include "base/time_limit.hpp"
 #include "ccd/certified/tdibm_c.hpp"
@@ -20,6 +18,7 @@
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "certify/oracle/is_readable.hpp"
+#include "certify/oracle/rational_roots.hpp"
 
 namespace ccdfuzz {
 
@@ -149,18 +148,14 @@ class Deciding {
     constexpr std::uint64_t kShare = 4;
     for (const double slack : {0x1p-20, 0x1p-14, 0x1p-10, 0x1p-7, 0x1p-4, 0x1p-2}) {
       const double before = clear_ - slack * query_.t_max;
-      const double until =
-          before > 0 ? before : 0.5 * clear_;  // of a time near the start, its half
-      if (until > 0 && try_tree(few_bits(until), options_.max_tree_nodes / kShare)) return;
+      // Near the start, half of the time. It is rounded down to 32 bits.
+      const Rational until = exact(before > 0 ? before : 0.5 * clear_);
+      if (until > 0 && try_tree(rounded_down(until, power_below(until) * power_of_two(-30)),
+                                options_.max_tree_nodes / kShare)) {
+        return;
+      }
       if (before <= 0) return;
     }
-  }
-
-  /// x rounded down to 32 bits.
-  static Rational few_bits(double x) {
-    int exponent = 0;
-    const double fraction = std::frexp(x, &exponent);
-    return exact(std::ldexp(std::floor(std::ldexp(fraction, 32)), exponent - 32));
   }
 
   const Query& query_;
