@@ -133,7 +133,7 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
     take_snapshot(trees[s].net(nodes[s]), count, t, t, values[s].data());
     project({values[s].data(), count}, batch, ranges[s]);
   }
-  const Gaps by_points(lane(ranges[0], 0), lane(ranges[1], 0));
+  const Gaps by_points = gaps_of(ranges[0], ranges[1], 0);
   const HeightLines by_lines(
       {{trees[0].net(nodes[0]), trees[1].net(nodes[1])}, {trees[0].count(), trees[1].count()}}, l);
 
@@ -165,7 +165,7 @@ struct SeenAtEnds {
   SeparatingAxes separating;
   double bound = 0;
 
-  Gaps gaps() const { return {lane(ranges[0], 0), lane(ranges[1], 0)}; }
+  Gaps gaps() const { return gaps_of(ranges[0], ranges[1], 0); }
   /// At `share` of a part of the window, exactly.
   bool are_apart(const Window& part, double share) const {
     const Rational t = exact(part.lo) + (exact(part.hi) - exact(part.lo)) * exact(share);

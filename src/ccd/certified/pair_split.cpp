@@ -144,7 +144,7 @@ unsigned PairSplit::test(const SharedAxes& shared, unsigned pairs,
   for (unsigned left = observer != nullptr ? pairs : 0; left != 0; left &= left - 1) {
     const int pair = std::countr_zero(left);
     for (int k = 0; k < 3; ++k) {
-      const Gaps gaps(lane(shared.extents[0][pair / 4], k), lane(shared.extents[1][pair % 4], k));
+      const Gaps gaps = gaps_of(shared.extents[0][pair / 4], shared.extents[1][pair % 4], k);
       const double bound = shared.bounds.on[static_cast<size_t>(k)];
       ObservedAxis{*observer, shared.first + k, axis_of(shared.axes, k)}.compared(gaps, bound,
                                                                                   window_);
@@ -161,7 +161,7 @@ unsigned PairSplit::test(const SharedAxes& shared, unsigned pairs,
   for (unsigned ends = compare(of_a, of_b, shared.bounds).at_an_end; ends != 0; ends &= ends - 1) {
     const int k = std::countr_zero(ends);
     const double bound = shared.bounds.on[static_cast<size_t>(k)];
-    const Gaps gaps(lane(of_a, k), lane(of_b, k));
+    const Gaps gaps = gaps_of(of_a, of_b, k);
     Window trimmed = window_;
     trim_by_chord(gaps, bound, trimmed);
     ++tiers_.chord;
@@ -174,18 +174,13 @@ unsigned PairSplit::test(const SharedAxes& shared, unsigned pairs,
   return w;
 }
 
-/// Shortens the window of a pair, which no shared axis separates throughout, by every axis in turn.
-/// Returns false if the pair is separated throughout.
+/// Shortens the window of a pair, which no shared axis separates throughout, by every axis in turn:
+/// the shared ones, then those of the pair itself. Returns false if the pair is separated
+/// throughout.
 bool PairSplit::narrow(int a, int b, ExclusionObserver* observer, CellPair& kept) {
-  const Window w = trim(shared_, a, b, observer, trim(coordinate_, a, b, observer, window_));
-  kept.window = w;
-  if (w.lo > w.hi) return drop_together(w);  // what two axes exclude covers the window
-  return narrow_by_own_axes(a, b, observer, kept);
-}
-
-/// The same by the axes of the pair itself.
-bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, CellPair& kept) {
   Window& w = kept.window;
+  w = trim(shared_, a, b, observer, trim(coordinate_, a, b, observer, window_));
+  if (w.lo > w.hi) return drop_together(w);  // what two axes exclude covers the window
   const NetPair nets = {{trees_[0].net(kept.cells[0]), trees_[1].net(kept.cells[1])},
                         {trees_[0].count(), trees_[1].count()}};
   Window seen = window_;
@@ -212,7 +207,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
     std::array<RangeBatch, 2> ranges;
     const SeparatingAxes separating =
         project_and_compare(at_ends[0], at_ends[1], *batch, bounds, ranges);
-    const auto gaps_on = [&](int k) { return Gaps(lane(ranges[0], k), lane(ranges[1], k)); };
+    const auto gaps_on = [&](int k) { return gaps_of(ranges[0], ranges[1], k); };
     const auto observed = [&](int k) {
       return ObservedAxis{*observer, kFirstOwnAxis + i * kLanes + k, axis_of(*batch, k)};
     };

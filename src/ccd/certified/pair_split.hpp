@@ -111,7 +111,6 @@ class PairSplit {
   unsigned test(const SharedAxes& shared, unsigned pairs, ExclusionObserver* observer) const;
   /// Shortens w by Law B. Returns lo > hi where nothing is left.
   Window trim(const SharedAxes& shared, int a, int b, ExclusionObserver* observer, Window w);
-  bool narrow(int a, int b, ExclusionObserver* observer, CellPair& kept);
   /// Counts a window of which several axes together exclude all (Laws A and B). Returns false.
   bool drop_together([[maybe_unused]] const Window& left) {
     CCDFUZZ_ASSERT(left.lo > left.hi);
@@ -120,7 +119,7 @@ class PairSplit {
   }
   /// Drops the pair by Laws A and C, or shortens its window by Law B, then by Laws A and C
   /// (Newton).
-  bool narrow_by_own_axes(int a, int b, ExclusionObserver* observer, CellPair& kept);
+  bool narrow(int a, int b, ExclusionObserver* observer, CellPair& kept);
 
   /// Deeper down windows are so short that h is almost a line, whose root the chord finds.
   static constexpr int kNewtonLevels = 3;

@@ -33,12 +33,6 @@ struct Range {
   double min, max;
 };
 
-/// Extents of a net at both ends of a window.
-struct RangePair {
-  Range at_lo, at_hi;
-  [[no_unique_address]] Provenance of{};
-};
-
 /// E of DERIVATION.md, 3: of_rounding(l), and for_axis(l) with a separation.
 /// Law C: let two sub-patches have at most `roundings` roundings behind each control point, and let
 /// M be Σ max|p'| + max|v'|, summed in doubles: kSlack covers its roundings. Then, at any double t'
@@ -109,10 +103,5 @@ class HeightErrorBound {
   double separation_ = 0;
   [[no_unique_address]] Basis made_from_;
 };
-
-/// One lane of a batch.
-inline RangePair lane(const RangeBatch& ranges, int i) {
-  return {{ranges.min_lo[i], ranges.max_lo[i]}, {ranges.min_hi[i], ranges.max_hi[i]}, ranges.of};
-}
 
 }  // namespace ccdfuzz::certified

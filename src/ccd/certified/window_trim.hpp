@@ -18,16 +18,8 @@ struct NetPair {
 /// fl(h) at both window ends, for side 0 below side 1 (sign 0) and above it (sign 1).
 /// Law A: control points move linearly, so h is convex; h < 0 at both ends implies h < 0 between.
 struct Gaps {
-  double at_lo[2], at_hi[2];
-  [[no_unique_address]] Provenance of;
-
-  /// Requires extents at the ends of one window.
-  Gaps(const RangePair& a, const RangePair& b)
-      : at_lo{a.at_lo.max - b.at_lo.min, b.at_lo.max - a.at_lo.min},
-        at_hi{a.at_hi.max - b.at_hi.min, b.at_hi.max - a.at_hi.min},
-        of(a.of) {
-    CCDFUZZ_ASSERT(b.of.is_of(a.of.window));
-  }
+  std::array<double, 2> at_lo, at_hi;
+  [[no_unique_address]] Provenance of{};
 
   /// Separated throughout the window, certainly. bound: E of Law C, and what a separation adds.
   bool separated(double bound) const {
@@ -35,6 +27,14 @@ struct Gaps {
     return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
   }
 };
+
+/// Those on axis k of a batch. Requires extents at the ends of one window.
+inline Gaps gaps_of(const RangeBatch& a, const RangeBatch& b, int k) {
+  CCDFUZZ_ASSERT(b.of.is_of(a.of.window));
+  return {{a.max_lo[k] - b.min_lo[k], b.max_lo[k] - a.min_lo[k]},
+          {a.max_hi[k] - b.min_hi[k], b.max_hi[k] - a.min_hi[k]},
+          a.of};
+}
 
 /// Where the chord through (t0, h0) and (t1, h1), h0 < 0 ≤ h1, reaches zero, rounded towards t0.
 /// Law B: if h0 and h1 are upper bounds of h, then h < 0 from t0 up to, but without, the result, as

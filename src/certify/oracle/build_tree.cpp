@@ -99,10 +99,10 @@ class Builder {
   }
   Gaps gaps(const HeightLines& lines, std::uint64_t lo, std::uint64_t hi) const {
     const Window w{time(lo), time(hi)};
-    const auto of = [&](int s) {
-      return RangePair{lines.extent(s, w.lo), lines.extent(s, w.hi), {w, 0}};
+    const auto at = [&](double t) {
+      return std::array{lines.gap(0, t).height, lines.gap(1, t).height};
     };
-    return {of(0), of(1)};
+    return {at(w.lo), at(w.hi), {w, 0}};
   }
 
   /// An axis of few bits near l that certainly separates throughout [lo, hi], patch 1 below.
