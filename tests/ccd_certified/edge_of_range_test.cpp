@@ -18,8 +18,7 @@ MovingPatch<double> triangle(double z, double vz, double scale) {
 }
 
 Answer ask(const Query& query) {
-  TdibmC method;
-  return method.answer(query, {.precision = 0x1p-8, .max_pops = 20000});
+  return TdibmC().answer(query, {.precision = 0x1p-8, .max_pops = 20000});
 }
 
 TEST(TdibmC, KeepsAContactAtExactlyTheEndOfTime) {

@@ -30,8 +30,7 @@ Query scaled(Query query, int k) {
 }
 
 Answer ask(const Query& query) {
-  TdibmRational method;
-  return method.answer(query, {});
+  return TdibmRational().answer(query, {});
 }
 
 TEST(TdibmRational, IsTheSameAtEveryScale) {
@@ -51,6 +50,8 @@ TEST(ProvesClear, CoversATimeThatIsNotADouble) {
   const Rational contact(1, 3);
   EXPECT_FALSE(proves_clear(query, contact));
   EXPECT_TRUE(proves_clear(query, Rational(contact - power_of_two(-50))));
+  const Query apart{{moving_point({0, 0, 1}, {0, 0, 0}), flat_triangle(0, {0, 0, 0})}, 1};
+  EXPECT_FALSE(proves_clear(apart, power_of_two(1024))) << "beyond doubles";
 }
 
 /// A point that comes down on the corner of a flat patch at t = 1.

@@ -1,6 +1,5 @@
 #include "ccd/rational/proves_clear.hpp"
 
-#include "base/double_parts.hpp"
 #include "base/fp_guard.hpp"
 #include "base/verify.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
@@ -13,10 +12,6 @@ bool proves_clear(const Query& query, const Rational& until, const ClearEffort& 
   CCDFUZZ_VERIFY(sgn(until) >= 0);
   Query horizon = query;
   horizon.t_max = round_up(until);  // proves at least what was asked
-  if (!is_finite(horizon.t_max)) {
-    if (spent != nullptr) *spent = {0, 0};
-    return false;
-  }
   SearchOptions options;
   options.precision = 0x1p-30;
   options.max_pops = most.pops;
