@@ -60,8 +60,7 @@ class NaiveTest {
         for (const Vec3<Dyadic>& p : *points) data.push_back(p[k].rational().get_d());
       }
     }
-    const int count = patch.shape.control_count();
-    return exact_ccd::box_directions(patch.shape, {data.data(), count, count}, t);
+    return exact_ccd::box_directions(patch.shape, {data.data(), patch.shape.control_count()}, t);
   }
 
   Query query_;

@@ -18,7 +18,6 @@ void CellPointsCache::begin(const Shape& shape, const Points<double>& positions,
                             const Points<double>& velocities, const std::vector<double>& weights) {
   if (!program_ || !(shape == shape_)) program_.emplace(shape);
   shape_ = shape;
-  width_ = padded(shape.control_count());
   positions_ = positions;
   velocities_ = velocities;
   weights_ = as_points<double>(weights);
@@ -27,7 +26,7 @@ void CellPointsCache::begin(const Shape& shape, const Points<double>& positions,
   part_.resize(positions.size());
   controls_.resize(positions.size() + program_->steps.size());
   slots_.fill({});
-  points_.resize(kSlots * kFamily * 6 * static_cast<size_t>(width_));
+  points_.resize(kSlots * kFamily * 6 * positions.size());
 }
 
 int CellPointsCache::roundings(const Shape& shape, bool is_rational) {
@@ -41,24 +40,24 @@ int CellPointsCache::roundings(const Shape& shape, bool is_rational) {
 
 CellPoints CellPointsCache::family(std::span<const Cell> parts) {
   const size_t index = hash_of(parts[0]) % kSlots;
-  double* data = points_.data() + index * kFamily * 6 * static_cast<size_t>(width_);
+  double* data = points_.data() + index * kFamily * 6 * part_.size();
   Slot& slot = slots_[index];
   if (slot.size != parts.size() || !(slot.first == parts[0])) {
     fill(parts, data);
     slot = {parts[0], parts.size()};
   }
-  return {data, shape_.control_count(), width_};
+  return {data, shape_.control_count()};
 }
 
 /// Writes the six arrays of a cell whose control point i is controls_[place(i)].
 template <class Place>
 void CellPointsCache::store(const Place& place, double* out) const {
   const int count = shape_.control_count();
-  for (int i = 0; i < width_; ++i) {
-    const Control& c = controls_[static_cast<size_t>(place(std::min(i, count - 1)))];
+  for (int i = 0; i < count; ++i) {
+    const Control& c = controls_[static_cast<size_t>(place(i))];
     for (int k = 0; k < 6; ++k) {
       const double number = c[static_cast<size_t>(k)];
-      out[k * width_ + i] = weights_.empty() ? number : number / c[6];
+      out[k * count + i] = weights_.empty() ? number : number / c[6];
     }
   }
 }
@@ -93,7 +92,7 @@ void CellPointsCache::fill(std::span<const Cell> parts, double* out) {
   }
   for (const std::vector<int>& places : program_->children) {
     store([&](int i) { return places[static_cast<size_t>(i)]; }, out);
-    out += 6 * width_;
+    out += 6 * part_.size();
   }
 }
 

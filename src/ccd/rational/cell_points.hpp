@@ -13,21 +13,14 @@
 namespace ccdfuzz::exact_ccd {
 
 /// Control points of one cell in double precision, as six arrays: positions x, y, z, then
-/// velocities x, y, z. Each is padded to `width`, a multiple of 4, by repeating its last number, so
-/// that loops need no remainder.
+/// velocities x, y, z.
 struct CellPoints {
   const double* data = nullptr;
   int count = 0;
-  int width = 0;
 
-  const double* position(int k) const { return data + std::ptrdiff_t{k} * width; }
-  const double* velocity(int k) const { return data + std::ptrdiff_t{3 + k} * width; }
+  const double* position(int k) const { return data + std::ptrdiff_t{k} * count; }
+  const double* velocity(int k) const { return data + std::ptrdiff_t{3 + k} * count; }
 };
-
-/// Least multiple of 4 that is ≥ n.
-constexpr int padded(int n) {
-  return (n + 3) / 4 * 4;
-}
 
 /// Makes the control points of cells and remembers the most recent families: the search splits the
 /// same cell against many partners. Bounded, direct mapped, no allocation after the first query of
@@ -48,7 +41,7 @@ class CellPointsCache {
 
   /// Member c of a family.
   static CellPoints member(const CellPoints& family, int c) {
-    return {family.data + std::ptrdiff_t{6} * family.width * c, family.count, family.width};
+    return {family.data + std::ptrdiff_t{6} * family.count * c, family.count};
   }
 
   static int roundings(const Shape& shape, bool is_rational = false);
@@ -67,7 +60,6 @@ class CellPointsCache {
   void store(const Place& place, double* out) const;
 
   Shape shape_;
-  int width_ = 0;
   Points<double> positions_, velocities_, weights_, part_;
   std::optional<certified::MidpointProgram> program_;
   std::vector<Control> controls_;  ///< as the program numbers them

@@ -22,9 +22,6 @@ void normalise(const Points<double>& points, const Vec3<double>& origin, int shi
   }
 }
 
-/// Four control points at once; the sequence of roundings of each is that of scalar code.
-using FourHeights = Eigen::Array4d;
-
 }  // namespace
 
 // The error bound. u = 2^-53, eta = 2^-1074, gamma_k = k·u/(1 − k·u). Times are in [0, 1]. M is the
@@ -115,7 +112,7 @@ void Gap::project(const IntegerAxis& axis) {
   for (size_t side = 0; side < 2; ++side) {
     const CellPoints& p = selected_[side];
     const auto dots = [&](const double* px, const double* py, const double* pz, double* out) {
-      for (int i = 0; i < p.width; ++i) out[i] = (x * px[i] + y * py[i]) + z * pz[i];
+      for (int i = 0; i < p.count; ++i) out[i] = (x * px[i] + y * py[i]) + z * pz[i];
     };
     dots(p.position(0), p.position(1), p.position(2), intercepts_[side].data());
     dots(p.velocity(0), p.velocity(1), p.velocity(2), slopes_[side].data());
@@ -126,18 +123,12 @@ Extremes Gap::extremes(double t) const {
   Extremes e;
   e.separation = on_axis_;
   for (size_t side = 0; side < 2; ++side) {
-    const auto values = [&](int i) -> FourHeights {
-      return Eigen::Map<const FourHeights>(&slopes_[side][static_cast<size_t>(i)]) * t +
-             Eigen::Map<const FourHeights>(&intercepts_[side][static_cast<size_t>(i)]);
+    const auto line = [&](const Values& of) {
+      return Eigen::Map<const Eigen::ArrayXd>(of.data(), selected_[side].count);
     };
-    FourHeights max = values(0), min = max;
-    for (int i = 4; i < selected_[side].width; i += 4) {
-      const FourHeights v = values(i);
-      max = max.max(v);
-      min = min.min(v);
-    }
-    e.max[side] = max.maxCoeff();
-    e.min[side] = min.minCoeff();
+    const auto heights = line(slopes_[side]) * t + line(intercepts_[side]);
+    e.max[side] = heights.maxCoeff();
+    e.min[side] = heights.minCoeff();
   }
   return e;
 }

@@ -83,8 +83,8 @@ class Gap {
   std::array<Cell, 2> cells_;
   std::array<CellPoints, 2> selected_;
   IntegerAxis axis_;
-  using Values = std::array<double, padded(kMaxControls)>;
-  alignas(16) std::array<Values, 2> slopes_, intercepts_;
+  using Values = std::array<double, kMaxControls>;
+  std::array<Values, 2> slopes_, intercepts_;
   int length_shift_ = 0;
   double error_per_norm_ = 0, error_ = 0;
   double separation_ = 0, on_axis_ = 0;  ///< normalised; times |l|_2
