@@ -55,8 +55,9 @@ bool meets(const Uv<double>& a, const Uv<double>& b, const CellPolygon& cell) {
 
 }  // namespace
 
-void TrimRegion::take_loops(const MovingPatch<double>& patch) {
+void TrimRegion::assign(const MovingPatch<double>& patch) {
   shape_ = patch.shape;
+  edges_.clear();
   for (const auto& loop : patch.trim) {
     for (size_t i = 0; i < loop.size(); ++i)
       edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});

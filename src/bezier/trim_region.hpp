@@ -14,10 +14,7 @@ class TrimRegion {
   enum class Cover : std::uint8_t { kInside, kCrossed, kOutside };
 
   /// The region of a trimmed patch; that of any other is whole. Keeps the memory.
-  void assign(const MovingPatch<double>& patch) {
-    edges_.clear();
-    if (!patch.trim.empty()) take_loops(patch);
-  }
+  void assign(const MovingPatch<double>& patch);
   bool is_whole() const { return edges_.empty(); }
 
   /// kInside: all of the closed cell belongs to the region; kOutside: nothing of it does;
@@ -38,7 +35,6 @@ class TrimRegion {
   struct Edge {
     Uv<double> from, to;
   };
-  void take_loops(const MovingPatch<double>& patch);
   /// p is not on a loop.
   bool is_inside(const Uv<double>& p) const;
 

@@ -90,13 +90,11 @@ bool is_zero(const Frame& frame) {
   return std::all_of(frame.begin(), frame.end(), [](const auto& l) { return Axis{l}.is_zero(); });
 }
 
-ObbAxes ObbAxes::of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
-                    AxisReading::Length length) {
+ObbAxes::ObbAxes(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
+                 AxisReading::Length length)
+    : frames_{frame1, frame2}, length_(length) {
   const bool surface = shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
-  if (!surface && ccdfuzz::is_zero(frame1) && ccdfuzz::is_zero(frame2)) {
-    return {coordinate_frame(), frame2, length};
-  }
-  return {frame1, frame2, length};
+  if (!surface && is_zero(frame1) && is_zero(frame2)) frames_[0] = coordinate_frame();
 }
 
 Axis ObbAxes::operator[](int r) const {

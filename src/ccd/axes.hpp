@@ -50,13 +50,10 @@ class ObbAxes {
   static constexpr int kCount = 15;
   static constexpr int kStages = 6;  ///< stages are 0..5
 
-  /// length: that of the products of the two frames; the frames have theirs.
-  ObbAxes(const Frame& frame1, const Frame& frame2, AxisReading::Length length)
-      : frames_{frame1, frame2}, length_(length) {}
-  /// The axes of two sub-patches. Where neither is a surface and both frames are zero, the
-  /// coordinate axes stand in for the first.
-  static ObbAxes of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
-                    AxisReading::Length length);
+  /// length: that of the products of the two frames; the frames have theirs. Where neither shape is
+  /// a surface and both frames are zero, the coordinate axes stand in for the first.
+  ObbAxes(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
+          AxisReading::Length length);
 
   /// l_{r+1}, 0 ≤ r < kCount.
   Axis operator[](int r) const;

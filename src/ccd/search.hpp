@@ -6,7 +6,6 @@
 #include <concepts>
 #include <cstdint>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <string>
 

@@ -63,8 +63,8 @@ const Frame& SubPatches::frame(int side, int part, double t) {
 }
 
 ObbAxes SubPatches::axes(int part_a, int part_b, double t) {
-  return ObbAxes::of({query_->patches[0].shape, query_->patches[1].shape}, frame(0, part_a, t),
-                     frame(1, part_b, t), reading_.length);
+  return ObbAxes({query_->patches[0].shape, query_->patches[1].shape}, frame(0, part_a, t),
+                 frame(1, part_b, t), reading_.length);
 }
 
 }  // namespace ccdfuzz

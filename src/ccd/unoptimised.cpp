@@ -70,8 +70,7 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
     const MovingPatch<double>& part = parts[static_cast<size_t>(side)];
     return obb_frame({part.shape, part.positions, part.velocities}, window.lo, reading_.axes, side);
   };
-  const ObbAxes axes =
-      ObbAxes::of({parts[0].shape, parts[1].shape}, frame(0), frame(1), reading_.axes.length);
+  const ObbAxes axes({parts[0].shape, parts[1].shape}, frame(0), frame(1), reading_.axes.length);
   const Window wide{window.lo - reading_.window_margin, window.hi + reading_.window_margin};
   std::vector<SeparatedInterval<double>> separations;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
