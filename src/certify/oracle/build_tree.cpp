@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fp_guard.hpp"
+#include "base/time_limit.hpp"
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/pair_axes.hpp"
 #include "ccd/certified/window_trim.hpp"
@@ -33,8 +34,8 @@ Axis to_double(const TreeAxis& l) {
 
 class Builder {
  public:
-  Builder(const Query& query, const Rational& until, std::uint64_t max_nodes, Deadline* deadline)
-      : nodes_left_(max_nodes), deadline_(deadline) {
+  Builder(const Query& query, const Rational& until, std::uint64_t max_nodes)
+      : nodes_left_(max_nodes) {
     Query horizon = query;
     horizon.t_max = round_up(until);
     normalise(horizon, query_);
@@ -156,9 +157,7 @@ class Builder {
 
   bool node(Pair pair) {
     if (nodes_left_ == 0 || pair.level > kMaxTreeDepth / 2) return false;
-    if (deadline_ != nullptr && deadline_->passed(trees_[0].count() + trees_[1].count())) {
-      return false;
-    }
+    TimeLimit::stop_if_late();
     --nodes_left_;
     Cut cut;
     std::optional<TreeAxis> found;
@@ -234,7 +233,6 @@ class Builder {
   double until_ = 0;
   TreeBits bits_;
   std::uint64_t nodes_left_;
-  Deadline* deadline_;
 };
 
 }  // namespace
@@ -244,9 +242,9 @@ class Builder {
 namespace ccdfuzz {
 
 std::optional<MissTree> build_miss_tree(const Query& query, const Rational& until,
-                                        std::uint64_t max_nodes, Deadline* deadline) {
+                                        std::uint64_t max_nodes) {
   const FpGuard guard;
-  return certified::Builder(query, until, max_nodes, deadline).run(until);
+  return certified::Builder(query, until, max_nodes).run(until);
 }
 
 }  // namespace ccdfuzz

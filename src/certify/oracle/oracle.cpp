@@ -116,7 +116,7 @@ class Deciding {
   /// True, too, if it is proven already.
   bool try_tree(const Rational& until, std::uint64_t max_nodes) {
     if (out_.truth.clearance && covers(*out_.truth.clearance, until)) return true;
-    std::optional<MissTree> tree = build_miss_tree(query_, until, max_nodes, &deadline_);
+    std::optional<MissTree> tree = build_miss_tree(query_, until, max_nodes);
     if (!tree) return false;
     out_.truth.clearance = *std::move(tree);
     return true;
