@@ -18,10 +18,8 @@ namespace {
 
 /// x > 0 rounded down, if it is long.
 Rational shortened(const Rational& x) {
-  const size_t num = bits_of(x.get_num()), den = bits_of(x.get_den());
-  if (num + den <= 4 * kTimeBits) return x;
-  const auto top = static_cast<long>(num) - static_cast<long>(den);
-  return rounded_down(x, power_of_two(top - kTimeBits));
+  if (bits_of(x.get_num()) + bits_of(x.get_den()) <= 4 * kTimeBits) return x;
+  return rounded_down(x, power_below(x) * power_of_two(1 - kTimeBits));
 }
 
 class DecidingBodies {

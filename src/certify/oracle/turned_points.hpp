@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "bezier/patch.hpp"
 #include "numeric/exact_scalars.hpp"
 
