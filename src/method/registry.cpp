@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <tuple>
 
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
@@ -71,37 +70,25 @@ struct SwitchedSpec {
   }
 };
 
+using Made = Result<std::unique_ptr<Method>>;
+
 struct Family {
   MethodInfo info;
-  std::function<Result<std::unique_ptr<Method>>(const SwitchedSpec&)> make;
+  std::function<Made(const Features&, const SwitchedSpec&)> make;
 };
 
-/// A method of the class Made of the parts of a spec, a Result of a tuple.
-template <class Made>
-Result<std::unique_ptr<Method>> made_of(const Features& features, const auto& parts) {
-  return parts.map([&](const auto& all) {
-    return std::apply(
-        [&](const auto&... each) -> std::unique_ptr<Method> {
-          return std::make_unique<Made>(features, each...);
-        },
-        all);
-  });
+/// Solver answers, and Follower traces. Both are made of the parts.
+template <class Solver, class Follower>
+std::unique_ptr<Method> built_in(const Features& features, const auto&... parts) {
+  return std::make_unique<BuiltIn<Solver, Follower>>(features, parts...);
 }
 
-/// Solver answers, and Plain where a spec says so; Follower traces. All are made of parts_of(spec).
-template <class Solver, class Follower, class Plain = Solver, class PartsOf>
-Family family(MethodInfo info, const PartsOf& parts_of) {
-  const Features features = info.features;
-  return {std::move(info), [=](const SwitchedSpec& spec) {
-            const auto parts = parts_of(spec);
-            return spec.has("unoptimised") ? made_of<BuiltIn<Plain, Follower>>(features, parts)
-                                           : made_of<BuiltIn<Solver, Follower>>(features, parts);
+/// A method that has no options.
+template <class Solver, class Follower>
+Family family(MethodInfo info) {
+  return {std::move(info), [](const Features& features, const SwitchedSpec&) -> Made {
+            return built_in<Solver, Follower>(features);
           }};
-}
-
-/// The parts of a method that has no options.
-Result<std::tuple<>> no_parts(const SwitchedSpec&) {
-  return {};
 }
 
 constexpr std::array kSwitches = {
@@ -137,12 +124,15 @@ Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
 /// A family of TdibmInclusion. policy_of: of a spec.
 template <class Policy>
 Family tdibm_family(MethodInfo info, Result<Policy> (*policy_of)(const SwitchedSpec&)) {
-  return family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>, UnoptimisedTdibm<Policy>>(
-      std::move(info), [policy_of](const SwitchedSpec& spec) {
-        return policy_of(spec).map([&](const Policy& policy) {
-          return std::tuple(policy, reading_of(spec, Policy::kReading));
-        });
-      });
+  return {std::move(info), [policy_of](const Features& features, const SwitchedSpec& spec) {
+            return policy_of(spec).map([&](const Policy& policy) {
+              using Follower = InclusionTracer<TdibmInclusion<Policy>>;
+              const Reading reading = reading_of(spec, Policy::kReading);
+              return spec.has("unoptimised")
+                         ? built_in<UnoptimisedTdibm<Policy>, Follower>(features, policy, reading)
+                         : built_in<Tdibm<Policy>, Follower>(features, policy, reading);
+            });
+          }};
 }
 
 template <class Bound>
@@ -153,11 +143,11 @@ Result<Bound> error_bound_of(const SwitchedSpec& spec) {
 }
 
 Family traditional_family(MethodInfo info, BoxKind kind) {
-  return family<Traditional, InclusionTracer<TraditionalInclusion>>(
-      std::move(info), [kind](const SwitchedSpec& spec) {
-        return Result<std::tuple<BoxKind, AxisReading>>(
-            std::tuple(kind, reading_of(spec, {kTraditionalAsReleased}).axes));
-      });
+  return {std::move(info), [kind](const Features& features, const SwitchedSpec& spec) -> Made {
+            const AxisReading axes = reading_of(spec, {kTraditionalAsReleased}).axes;
+            return built_in<Traditional, InclusionTracer<TraditionalInclusion>>(features, kind,
+                                                                                axes);
+          }};
 }
 
 const std::vector<Family>& families() {
@@ -201,18 +191,15 @@ const std::vector<Family>& families() {
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
           {"tdibm-rational", "this project",
            "tdibm decided in exact arithmetic, rounded only outward", true, none, kPatchFeatures,
-           kProven},
-          no_parts),
+           kProven}),
       family<TdibmC, CertifiedTracer>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window", true,
-                                       none, kPatchFeatures, kProven},
-                                      no_parts),
+                                       none, kPatchFeatures, kProven}),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
           {"oracle", "src/certify/oracle/oracle.hpp",
            "ours: says nothing that an independent checker has not proven; slower", true, none,
-           kAllFeatures, kProven},
-          no_parts),
+           kAllFeatures, kProven}),
   };
   return all;
 }
@@ -329,8 +316,9 @@ Result<void> check_taken(const std::string& spec, const Query& query) {
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
   if (names_plugin(spec)) return know_plugin(spec).map(make_plugin_method);
-  return find_family(spec).and_then(
-      [](const Found& found) { return found.family->make(found.spec); });
+  return find_family(spec).and_then([](const Found& found) {
+    return found.family->make(found.family->info.features, found.spec);
+  });
 }
 
 Result<std::string> parse_method(const std::string& where, const std::string& spec) {

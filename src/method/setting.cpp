@@ -162,7 +162,7 @@ bool slides_at(const Witness& witness, const Query& query) {
 /// Whether bodies hardly approach along the direction that keeps them apart before their contact.
 bool slides_along(const BodyClearance& clearance, const Query& query) {
   Vec3<double> normal;
-  for (int k = 0; k < 3; ++k) normal[k] = clearance.normal[static_cast<size_t>(k)].get_d();
+  for (int k = 0; k < 3; ++k) normal[k] = clearance.normal[k].get_d();
   const Vec3<double> velocity = query.patches[1].velocities[0] - query.patches[0].velocities[0];
   return -normal.dot(velocity) <= kThinnest * normal.norm() * velocity.norm();
 }
