@@ -204,13 +204,12 @@ FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plan
 
 /// The class of a contact of bodies: what of each lies on its support plane of this normal, which
 /// is towards the second; 1 point, 2, or more.
-ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {
+ContactClass class_of_bodies(const Query& query, const Vec3<Rational>& normal) {
   std::array<Feature, 2> features{};
   for (size_t s = 0; s < 2; ++s) {
     std::vector<Rational> heights;
     for (const Vec3<double>& p : query.patches[s].positions) {
-      Rational height = 0;
-      for (int k = 0; k < 3; ++k) height += normal[static_cast<size_t>(k)] * exact(p[k]);
+      const Rational height = dot(normal, exact(p));
       heights.push_back(s == 0 ? height : Rational(-height));
     }
     const Rational& highest = *std::max_element(heights.begin(), heights.end());
@@ -326,7 +325,9 @@ Attempted framed_bodies(const GeneratorOptions& options, Draw& draw) {
   if (touches) truth.witness = witness;
   if (at_start && is_plain) return out;  // where it is a mesh, its faces are made by the normal
   BodyClearance clear{touches ? witness.t : exact(query.t_max), {}, !touches};
-  for (size_t k = 0; k < 3; ++k) clear.normal[k] = static_cast<long>(normal[k]);
+  for (int k = 0; k < 3; ++k) {
+    clear.normal[k] = static_cast<long>(normal[static_cast<size_t>(k)]);
+  }
   truth.clear_until = clear.until;
   truth.clearance = clear;
   if (!touches) truth.proof = proof_word(*truth.clearance);

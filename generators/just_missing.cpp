@@ -25,13 +25,13 @@ bool step_along(const Vec3<double>& way, MovingPatch<double>& body, const Query&
 }  // namespace
 
 Attempted just_missing(Case grazing, Draw& draw) {
-  const std::array<Rational, 3> normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
+  const Vec3<Rational> normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
   Integer common = 0;
   for (const Rational& x : normal) common = gcd(common, x.get_num());
   const size_t side = draw.below(2);
   Vec3<double> way;
   for (int k = 0; k < 3; ++k) {
-    const Integer part = normal[static_cast<size_t>(k)].get_num() / common;
+    const Integer part = normal[k].get_num() / common;
     way[k] = side == 1 ? part.get_d() : -part.get_d();
   }
   Query& query = grazing.query;

@@ -254,11 +254,9 @@ Attempted mesh_case(const GeneratorOptions& options, Draw& draw) {
                  });
   if (!made) return made;
   Query& query = made->query;
+  const Vec3<Rational>& normal = std::get<BodyClearance>(*made->truth.clearance).normal;
   Vec3<double> up;
-  for (int k = 0; k < 3; ++k) {
-    const auto& normal = std::get<BodyClearance>(*made->truth.clearance).normal;
-    up[k] = (side == 0 ? 1 : -1) * normal[static_cast<size_t>(k)].get_d();
-  }
+  for (int k = 0; k < 3; ++k) up[k] = (side == 0 ? 1 : -1) * normal[k].get_d();
   const bool grazes = is_grazing(options.family);
   const size_t touched = MeshMaker(query, side, up, draw).make(grazes);
   query.patches[side].one_sided = has_fronts_alone;

@@ -26,14 +26,10 @@ bool change_points(Points<double>& points, const Vec3<double>& by, int exponent)
   return true;
 }
 
-Rational along(const std::array<Rational, 3>& normal, const Vec3<double>& v) {
-  return normal[0] * exact(v[0]) + normal[1] * exact(v[1]) + normal[2] * exact(v[2]);
-}
-
 /// At `until` the plane has moved by the shift and by the drift up to then.
 void change_plane(MovingPlane& plane, const Similarity& change) {
-  plane.offset += along(plane.normal, change.shift);
-  plane.offset += plane.until * along(plane.normal, change.drift);
+  plane.offset += dot(plane.normal, exact(change.shift));
+  plane.offset += plane.until * dot(plane.normal, exact(change.drift));
   plane.offset *= power_of_two(change.space);
   plane.until *= power_of_two(change.time);
 }

@@ -61,11 +61,9 @@ Vec3<double> draw_centre(const Points<double>& points, bool in_plane, Draw& draw
 /// changes. A turn is the identity at t. A spin is about the point that touches, which so moves as
 /// without it.
 void turn_along_plane(Case& made, size_t side, double t, bool spins, Draw& draw) {
+  const Vec3<Rational>& normal = std::get<BodyClearance>(*made.truth.clearance).normal;
   Vec3<double> axis;
-  for (int k = 0; k < 3; ++k) {
-    const auto& normal = std::get<BodyClearance>(*made.truth.clearance).normal;
-    axis[k] = normal[static_cast<size_t>(k)].get_d();
-  }
+  for (int k = 0; k < 3; ++k) axis[k] = normal[k].get_d();
   axis *= std::ldexp(draw.coin() ? 0.5 : -0.5, -std::ilogb(axis.norm()));  // from 1/2 to 1 long
   MovingPatch<double>& body = made.query.patches[side];
   if (!spins) {

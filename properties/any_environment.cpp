@@ -23,6 +23,7 @@
 #include "io/json_write.hpp"
 #include "method/method.hpp"
 #include "numeric/next_double.hpp"
+#include "numeric/products.hpp"
 #include "properties/answers.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/no_false_negative.hpp"
@@ -206,7 +207,7 @@ WildClaims draw_wild_claims(Draw& choices, const Case& about) {
   out.plane.until = t;
   for (Rational& x : out.plane.normal) x = choices.integer(-1, 1);
   const Vec3<double>& p = about.query.patches[choices.choose(1)].positions.front();
-  for (int k = 0; k < 3; ++k) out.plane.offset += out.plane.normal[k] * exact(p[k]);
+  out.plane.offset = dot(out.plane.normal, exact(p));
   out.box.centre = {0.25, 0.25, 0.25, 0.25, round_down(t)};
   out.box.varied = {0, 1, ContactBox::kTime};
   out.box.radius = {0x1p-4, 0x1p-4, choices.coin() ? 0x1p-4 : kLeastDouble};

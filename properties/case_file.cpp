@@ -21,7 +21,7 @@ Rational draw_rational(Draw& d) {
   return Rational(p) / Rational(d.integer(1, 1'000'000));
 }
 
-std::array<Rational, 3> three_of(DrawRational* draw, Draw& d) {
+Vec3<Rational> three_of(DrawRational* draw, Draw& d) {
   const Rational x = draw(d), y = draw(d);
   return {x, y, draw(d)};
 }

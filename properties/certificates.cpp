@@ -52,7 +52,7 @@ void check_changed_plane(Draw& d) {
   const Rational little = power_of_two(d.integer(is_round ? -60 : -16, 3));
   const auto move_beyond = [&](Vec3<double>& p, const Rational& by) {
     for (int k = 0; k < 3; ++k) {
-      const Rational step = (side == 0 ? -1 : 1) * by * plane.normal[static_cast<std::size_t>(k)];
+      const Rational step = (side == 0 ? -1 : 1) * by * plane.normal[k];
       p[k] = supposed(to_double_exactly(exact(p[k]) + step));
     }
   };
@@ -68,7 +68,7 @@ void check_changed_plane(Draw& d) {
     case Change::kCorner: {
       const std::size_t corner = d.pick(std::array<std::size_t, 3>{0, 2, 5});
       const Vec3<Rational> at = exact_patch<Rational>(patches[side]).at(plane.until)[corner];
-      const Rational height = dot(plane.normal, std::array{at[0], at[1], at[2]}) - plane.offset;
+      const Rational height = dot(plane.normal, at) - plane.offset;
       const Rational by = power_of_two(d.integer(0, 8));
       suppose(by * dot(plane.normal, plane.normal) > abs(height));
       move_beyond(patches[side].positions[corner], by);
@@ -81,7 +81,7 @@ void check_changed_plane(Draw& d) {
       plane.until += little;
       break;
     case Change::kTurned:
-      for (Rational& n : plane.normal) n = -n;
+      plane.normal = -plane.normal;
       plane.offset = -plane.offset;
       break;
     case Change::kNotNearer:

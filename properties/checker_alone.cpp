@@ -100,10 +100,9 @@ ContactRoot draw_root(Draw& d, const Rational& t) {
 MovingPlane draw_plane(Draw& d, const Query& query, const Rational& until) {
   MovingPlane plane{until, {}, 0};
   const MovingPatch<double>& one = query.patches[0];
-  const Vec3<Rational> normal = exact(draw_halves(d));
-  plane.normal = {normal[0], normal[1], normal[2]};
+  plane.normal = exact(draw_halves(d));
   const Vec3<Rational> at = exact(one.positions[0]) + exact(one.velocities[0]) * until;
-  plane.offset = dot(normal, at);
+  plane.offset = dot(plane.normal, at);
   return plane;
 }
 

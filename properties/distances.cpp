@@ -60,7 +60,7 @@ void check_planes_of_points(Draw& d) {
   MovingPlane plane{0, {}, 0};
   const Rational length = d.dyadic(8, -3).rational();
   suppose(squared > 0 && length > 0);
-  for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = exact(way[static_cast<int>(k)]) * length;
+  plane.normal = exact(way) * length;
   show(d, "query", query);
   show(d, "normal", plane.normal);
   const Rational least = exact(query.separation) * exact(query.separation);

@@ -57,7 +57,7 @@ MovingPlane plane_of(const ContactScene& scene, const Placement& placement,
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<size_t>(k);
     normal[k] = placement.frame.normal[k].scaled(-placement.exponent[axis]);
-    plane.normal[axis] = normal[k].rational();
+    plane.normal[k] = normal[k].rational();
   }
   const Vec3<Dyadic> contact =
       evaluate<Dyadic>(patches[0].shape, patches[0].positions, scene.sides[0].at);

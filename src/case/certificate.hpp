@@ -57,7 +57,7 @@ struct ContactRoot {
 struct MovingPlane {
   static constexpr bool closed = false;
   Rational until;
-  std::array<Rational, 3> normal;  ///< towards patch 1
+  Vec3<Rational> normal;  ///< towards patch 1
   Rational offset;
 
   friend bool operator==(const MovingPlane&, const MovingPlane&) = default;
@@ -96,7 +96,7 @@ struct LinearClearance {
 /// separation, at every t in [0, until), or in the closed [0, until].
 struct BodyClearance {
   Rational until;
-  std::array<Rational, 3> normal;  ///< towards patch 2
+  Vec3<Rational> normal;  ///< towards patch 2
   bool closed = false;
 
   friend bool operator==(const BodyClearance&, const BodyClearance&) = default;
@@ -109,8 +109,8 @@ struct BodyPlanes {
   static constexpr bool closed = true;
   struct Plane {
     Rational from;
-    std::array<std::array<Rational, 3>, 2> normals;  ///< at its two ends; towards patch 2
-    std::array<Rational, 2> offsets;                 ///< at its two ends
+    std::array<Vec3<Rational>, 2> normals;  ///< at its two ends; towards patch 2
+    std::array<Rational, 2> offsets;        ///< at its two ends
     Rational gap;
 
     friend bool operator==(const Plane&, const Plane&) = default;
@@ -125,7 +125,7 @@ struct BodyPlanes {
 /// Its normals are towards patch 2, one per face.
 struct MeshClearance {
   Rational until;
-  std::vector<std::array<Rational, 3>> normals;
+  std::vector<Vec3<Rational>> normals;
   bool closed = false;
 
   friend bool operator==(const MeshClearance&, const MeshClearance&) = default;

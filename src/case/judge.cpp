@@ -96,8 +96,7 @@ Rational squared_distance(const Rational& gap, const Vec3<Rational>& normal) {
 
 /// The same at t, by the direction that keeps bodies apart.
 Rational squared_distance(const Query& query, const BodyClearance& clearance, const Rational& t) {
-  const auto& n = clearance.normal;
-  const Vec3<Rational> normal(n[0], n[1], n[2]);
+  const Vec3<Rational>& normal = clearance.normal;
   std::array<std::vector<Rational>, 2> heights;
   for (size_t s = 0; s < 2; ++s) {
     for (const Vec3<Rational>& p : exact_patch<Rational>(query.patches[s]).at(t)) {
@@ -127,12 +126,8 @@ Rational squared_distance(const Query&, const BodyPlanes& clearance, const Ratio
   const Rational until = next == clearance.planes.end() ? clearance.until : next->from;
   const Rational share =
       until == plane.from ? Rational(0) : Rational((t - plane.from) / (until - plane.from));
-  Vec3<Rational> normal;
-  for (size_t k = 0; k < 3; ++k) {
-    const Rational& from = plane.normals[0][k];
-    normal[k] = from + share * (plane.normals[1][k] - from);
-  }
-  return squared_distance(plane.gap, normal);
+  const auto& [first, last] = plane.normals;
+  return squared_distance(plane.gap, Vec3<Rational>(first + share * (last - first)));
 }
 
 /// What is no certificate of bodies does not show it.

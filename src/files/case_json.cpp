@@ -42,18 +42,18 @@ struct JsonForm<Integer> {
   }
 };
 
-template <>
-struct JsonForm<Vec3<double>> {
-  static void write(std::string& json, const Vec3<double>& point) {
+template <class Number>
+struct JsonForm<Vec3<Number>> {
+  static void write(std::string& json, const Vec3<Number>& point) {
     for (int k = 0; k < 3; ++k) {
       json += k == 0 ? '[' : ',';
-      json += json_number(point[k]);
+      write_json(json, point[k]);
     }
     json += ']';
   }
-  static void read(const JsonCursor& from, Vec3<double>& point) {
+  static void read(const JsonCursor& from, Vec3<Number>& point) {
     from.array(3, "coordinates");
-    for (int k = 0; k < 3; ++k) point[k] = from.item(static_cast<size_t>(k)).real();
+    for (int k = 0; k < 3; ++k) read_json(from.item(static_cast<size_t>(k)), point[k]);
   }
 };
 

@@ -140,9 +140,8 @@ std::string excuse_text(const Case& value, const Rational& contact) {
   Rational squared = dot(way, way), since = contact;
   const auto* apart = clearance_of<BodyClearance>(value.truth);
   if (apart != nullptr) {
-    const Vec3<Rational> normal(apart->normal[0], apart->normal[1], apart->normal[2]);
-    const Rational nearer = dot(normal, way);
-    squared = nearer * nearer / dot(normal, normal);
+    const Rational nearer = dot(apart->normal, way);
+    squared = nearer * nearer / dot(apart->normal, apart->normal);
     since = apart->until;
   }
   const double largest = largest_coordinate_at_ends(query);

@@ -24,7 +24,7 @@ Query ball_into_valley() {
 }
 
 MeshClearance valley_clearance() {
-  return {1, {{{-3, 4, 0}}, {{3, 4, 0}}}, false};
+  return {1, {{-3, 4, 0}, {3, 4, 0}}, false};
 }
 
 bool mesh_clearance_holds(const auto& change) {

@@ -172,11 +172,10 @@ Result<void> check_direction(const Query& query, const Points<double>& first,
                              const Points<double>& second, const BodyClearance& clearance,
                              Work& work) {
   const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
-  const auto& [until, direction, closed] = clearance;
+  const auto& [until, normal, closed] = clearance;
   if (has_turns(query)) return refuse("one direction proves nothing of bodies that turn");
   if (until < 0) return refuse(fmt::format("until: {} is negative", abbreviated(until)));
   const auto& [a, b] = query.patches;
-  const Vec3<Rational> normal(direction[0], direction[1], direction[2]);
   constexpr std::uint64_t kOperations = 8;
   charge_for(kOperations * (first.size() + second.size() + 4),
              words_of(normal[0]) + words_of(normal[1]) + words_of(normal[2]) + words_of(until),

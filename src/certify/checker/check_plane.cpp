@@ -49,7 +49,7 @@ Result<void> check_plane_within(const Query& query, const MovingPlane& plane, Wo
   const auto in_units = [&](const Rational& x) { return Dyadic(Rational(x * unit).get_num(), 0); };
   const Dyadic all(unit, 0), until = in_units(plane.until), offset = in_units(plane.offset);
   Vec3<Dyadic> normal;
-  for (int k = 0; k < 3; ++k) normal[k] = in_units(plane.normal[static_cast<size_t>(k)]);
+  for (int k = 0; k < 3; ++k) normal[k] = in_units(plane.normal[k]);
   // Patch 1 is to be beyond the plane by the separation, which is this much along the normal.
   const Dyadic separation = Dyadic::exact(query.separation);
   const Dyadic squared = separation * separation * dot(normal, normal);

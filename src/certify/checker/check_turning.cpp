@@ -299,7 +299,9 @@ Result<void> check_between(const Query& query, const BodyPlanes::Plane& plane,
     if (plane.gap > 0 && with.product(plane.gap, plane.gap) > kept) continue;
     return refuse(fmt::format("gap: {} does not keep the bodies apart", abbreviated(plane.gap)));
   }
-  for (size_t k = 0; k < 3; ++k) piece.normal[k] = {plane.normals[0][k], plane.normals[1][k]};
+  for (int k = 0; k < 3; ++k) {
+    piece.normal[static_cast<size_t>(k)] = {plane.normals[0][k], plane.normals[1][k]};
+  }
   piece.offset = {plane.offsets[0], plane.offsets[1]};
   const bool is_below = HeightCheck(query.patches[0], piece, -1, work).holds();
   for (Fraction& x : piece.offset) with.add(x, plane.gap);

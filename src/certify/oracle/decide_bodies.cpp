@@ -59,7 +59,7 @@ class DecidingBodies {
   bool is_contact(const Found& found) const { return found.squared <= reach_ * reach_; }
 
   void say_clear(const Rational& until, const Vec3<Rational>& normal, bool closed) {
-    out_.truth.clearance = BodyClearance{until, {normal[0], normal[1], normal[2]}, closed};
+    out_.truth.clearance = BodyClearance{until, normal, closed};
   }
 
   void say_contact(const Rational& t, const Found& found) {

@@ -131,9 +131,8 @@ class DecidingTurning {
 
   /// Along the direction that may keep them apart.
   Sight seen_along(const Rational& t) const {
-    const auto& [x, y, z] = *options_.apart_along;
     Sight out{t, {}, {}};
-    look_along({x, y, z}, rounded_points(t), out);
+    look_along(*options_.apart_along, rounded_points(t), out);
     return out;
   }
 
@@ -153,7 +152,7 @@ class DecidingTurning {
     plane.gap = rounded_down(kept + some, grid) + grid;
     for (const size_t end : {size_t{0}, size_t{1}}) {
       const Sight& at = end == 0 ? here : there;
-      for (int k = 0; k < 3; ++k) plane.normals[end][static_cast<size_t>(k)] = (*at.normal)[k];
+      plane.normals[end] = *at.normal;
       plane.offsets[end] = rounded_down(at.heights[0] + (spare(at) - some - grid) / 2, grid);
     }
     const std::uint64_t before = work_done_here();

@@ -74,7 +74,7 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
     const Rational rate = dot(n, approach);
     if (rate == 0) continue;
     if (rate > 0) n = -n;  // patch 1, on the normal's side, comes from there
-    const MovingPlane plane{witness.t, {n[0], n[1], n[2]}, dot(n, point[1])};
+    const MovingPlane plane{witness.t, n, dot(n, point[1])};
     if (check_plane(query, plane)) return plane;
   }
   return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane
   if (!is_readable(until)) return std::nullopt;
   MovingPlane plane{until, near.normal, near.offset};
   if (check_plane(query, plane)) return plane;
-  std::vector<Vector> normals = {{near.normal[0], near.normal[1], near.normal[2]}};
+  std::vector<Vector> normals = {near.normal};
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {1, -1}) normals.emplace_back(0, 0, 0)[k] = sign;
   }
@@ -95,7 +95,7 @@ std::optional<MovingPlane> find_plane_near(const Query& query, const MovingPlane
     for (size_t i = 0; i < behind.positions.size(); ++i) {
       heights.push_back(dot(n, Vector(behind.positions[i] + behind.velocities[i] * until)));
     }
-    plane.normal = {n[0], n[1], n[2]};
+    plane.normal = n;
     plane.offset = *std::max_element(heights.begin(), heights.end());
     if (is_readable(plane.offset) && check_plane(query, plane)) return plane;
   }

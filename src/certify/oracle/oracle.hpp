@@ -25,7 +25,7 @@ struct OracleOptions {
   /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
   std::optional<Rational> wanted_clear = {};
   /// A direction from patch 1 to patch 2 that may keep bodies which turn apart all the time.
-  std::optional<std::array<Rational, 3>> apart_along = {};
+  std::optional<Vec3<Rational>> apart_along = {};
 };
 
 /// What the oracle found out. Every statement in truth has its certificate there, which the checker
