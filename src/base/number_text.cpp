@@ -31,10 +31,10 @@ std::optional<double> take_term(std::string_view& rest) {
     after = read.ptr;
   } else {
     const bool hex = rest.starts_with("0x") || rest.starts_with("0X");
-    const std::string_view digits = rest.substr(hex ? 2 : 0);
-    if (digits.starts_with('-')) return std::nullopt;  // read_double would take it
-    const auto read = read_double(digits.data(), end, value, hex);
-    if (read.ec != std::errc()) return std::nullopt;
+    const char* const digits = begin + (hex ? 2 : 0);
+    if (digits != end && *digits == '-') return std::nullopt;  // read_double would take it
+    const auto read = read_double(digits, end, value, hex);
+    if (read.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
     after = read.ptr;
   }
   rest.remove_prefix(static_cast<size_t>(after - begin));

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #ifndef __cpp_lib_to_chars
@@ -38,9 +39,9 @@ inline std::from_chars_result read_double(const char* begin, const char* end, do
   std::fesetenv(&callers);
   const std::ptrdiff_t length = stop - text.c_str() - (hex ? 2 : 0);
   if (!starts_well || length <= 0) return {begin, std::errc::invalid_argument};
-  const bool has_digit =
-      text.find_first_of(hex ? "123456789abcdefABCDEF" : "123456789", hex ? 2 : 0) <
-      text.find_first_of(hex ? "pP" : "eE", hex ? 2 : 0);
+  const std::string_view digits(text.c_str() + (hex ? 2 : 0), stop);
+  const bool has_digit = digits.find_first_of(hex ? "123456789abcdefABCDEF" : "123456789") <
+                         digits.find_first_of(hex ? "pP" : "eE");
   if (std::isinf(read) || (read == 0 && has_digit)) {
     return {begin + length, std::errc::result_out_of_range};
   }

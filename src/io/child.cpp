@@ -166,7 +166,8 @@ void Child::start() {
   printed_ = std::move(printed.ours);
   for (const int ours : {*questions_, *replies_, *printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
 
-  std::vector<std::string> words = {*program, std::to_string(program_.limits.megabytes)};
+  std::vector<std::string> words = {*program, std::to_string(program_.limits.megabytes),
+                                    std::to_string(::getpid())};
   words.insert(words.end(), program_.command.begin(), program_.command.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

@@ -62,7 +62,7 @@ void end_descendants() {
   }
 }
 
-void continue_below_a_watcher() {
+void continue_below_a_watcher(pid_t parent) {
   // Where it is ignored (exec inherits that), waitpid does not report that a child has ended.
   ::signal(SIGCHLD, SIG_DFL);
   sigset_t awaited;
@@ -72,6 +72,7 @@ void continue_below_a_watcher() {
   ::sigprocmask(SIG_BLOCK, &awaited, &before);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   ::prctl(PR_SET_PDEATHSIG, SIGHUP);
+  if (::getppid() != parent) std::_Exit(1);  // it was gone before that
   const pid_t watcher = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) {
@@ -81,16 +82,16 @@ void continue_below_a_watcher() {
   if (child > 0) supervise(child, awaited);
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::signal(SIGXFSZ, SIG_DFL);                 // as a plug-in expects it
-  if (::getppid() != watcher) std::_Exit(1);  // it was gone before that
+  ::signal(SIGXFSZ, SIG_DFL);  // as a plug-in expects it
+  if (::getppid() != watcher) std::_Exit(1);
 }
 
 }  // namespace
 
-void continue_in_supervised_child() {
-  continue_below_a_watcher();
+void continue_in_supervised_child(pid_t starter) {
+  continue_below_a_watcher(starter);
   ::setpgid(0, 0);  // so that the watcher above is not of it
-  continue_below_a_watcher();
+  continue_below_a_watcher(::getppid());
 }
 
 }  // namespace ccdfuzz

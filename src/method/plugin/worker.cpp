@@ -1,7 +1,7 @@
-// ccdfuzz-plugin-worker MEGABYTES load LIBRARY: loads a plug-in and answers for it by the
-// line protocol. ccdfuzz-plugin-worker MEGABYTES run PROGRAM ARGUMENTS...: becomes the
-// program, which answers lines itself. Both with limited memory, unless MEGABYTES is 0; whoever
-// started this limits the time.
+// ccdfuzz-plugin-worker MEGABYTES STARTER load LIBRARY: loads a plug-in and answers for it by the
+// line protocol. ccdfuzz-plugin-worker MEGABYTES STARTER run PROGRAM ARGUMENTS...: becomes the
+// program, which answers lines itself. Both with limited memory, unless MEGABYTES is 0. The process
+// STARTER started this: it limits the time, and nothing stays when it is gone.
 // It is built without sanitizers: it loads what users built.
 #include <dlfcn.h>
 #include <unistd.h>
@@ -376,13 +376,13 @@ class Plugin {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
+  if (argc < 5) {
     std::fputs("ccdfuzz-plugin-worker is started by ccdfuzz\n", stderr);
     return 2;
   }
   ccdfuzz::limit_answering_process(std::strtoull(argv[1], nullptr, 10) << 20);
-  ccdfuzz::continue_in_supervised_child();
-  if (std::strcmp(argv[2], "load") == 0) serve(argv[3]);
-  ::execv(argv[3], argv + 3);
-  end_with("refused", "program", std::string("cannot run ") + argv[3] + ": " + strerror(errno));
+  ccdfuzz::continue_in_supervised_child(static_cast<pid_t>(std::strtol(argv[2], nullptr, 10)));
+  if (std::strcmp(argv[3], "load") == 0) serve(argv[4]);
+  ::execv(argv[4], argv + 4);
+  end_with("refused", "program", std::string("cannot run ") + argv[4] + ": " + strerror(errno));
 }
