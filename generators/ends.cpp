@@ -14,8 +14,9 @@ std::optional<Case> parted(const Case& value, Draw& draw) {
   std::optional<Case> out = value;
   const auto change_by = [&](const Similarity& change) {
     std::optional<Case> moved = similar(*out, change);
-    if (moved) out = std::move(moved);
-    return moved.has_value();
+    if (!moved) return false;
+    out = std::move(moved);
+    return true;
   };
   constexpr int kStep = 4, kLeast = 2;
   const Vec3<double> little = draw_integers(draw, 3);

@@ -143,8 +143,9 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   }
   session.note_truths();
   if (past_motion > 0) {
-    session.remark("{} not asked: --t-max-factors end them after 1, where the motion ends",
-                   counted(past_motion, "query is", "queries are"));
+    session.remark(
+        "{} not asked: --t-max-factors end them past 1, where a motion ends, or past all doubles",
+        counted(past_motion, "query is", "queries are"));
   }
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));

@@ -195,8 +195,7 @@ std::vector<NamedTable> evaluation_tables(const Rows& rows,
   };
   add("Table 1, beside the paper's", paper_table_1(rows), unproven_note(rows));
   add("Table 2, beside the paper's", paper_table_2(rows), unproven_note(rows));
-  add("Table 3, beside the paper's", paper_table_3(rows),
-      "Rates are of contacts, or of absences; the paper's are of all its queries\n");
+  add("Table 3, beside the paper's", paper_table_3(rows), kLinearNote);
   add("Table 4: making the cases, beside the paper's", generation_table(costs), kPaperNote);
   return tables;
 }

@@ -43,6 +43,10 @@ Column<Row> text_column(const char* title, const Text& text) {
           [text](const Row& row) { return TableCell{std::string(text(row))}; }};
 }
 
+/// Of paper_table_3.
+inline constexpr const char* kLinearNote =
+    "Rates are of contacts, or of absences; the paper's are of all its queries\n";
+
 /// As wide as any time is, so that the layout of a table does not depend on times.
 inline constexpr size_t kTimeWidth = 7;
 
@@ -54,7 +58,8 @@ Column<Row> time_column(const char* title, double (LogHistogram::*of)() const,
             const LogHistogram& seconds = row.tally.seconds;
             if (seconds.count() == 0) return TableCell{"-"};
             const bool is_bound = has_mark && row.tally.count(Outcome::kUndecided) > 0;
-            return TableCell{(is_bound ? "≥ " : "") + duration_text((seconds.*of)())};
+            const std::string text = duration_text((seconds.*of)());
+            return TableCell{is_bound ? fmt::format("≥ {:>{}}", text, kTimeWidth) : text};
           }};
 }
 

@@ -305,6 +305,7 @@ std::string report_page(const ReportPage& report, int threads) {
   for (const ReportTable& table : report.tables) {
     tables.push_back({{"id", table.id},
                       {"title", table.title},
+                      {"note", table.note},
                       {"columns", table.table.titles()},
                       {"rows", table.table.texts()}});
   }

@@ -18,6 +18,7 @@ struct ReportTable {
   std::string id;     ///< unique in its page: what its CSV is called
   std::string title;  ///< one line
   Table table;
+  std::string note = {};  ///< below the title
 };
 
 /// A case that the page shows in its viewer.

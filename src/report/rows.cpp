@@ -49,8 +49,8 @@ void ReportRows::finish(ReportPage& report, const Rows& rows,
                         const std::vector<GenerationCost>& costs) {
   report.rows = rows.in_order();
   if (Table linear = paper_table_3(rows); linear.row_count() > 0) {
-    report.tables.push_back(
-        {"table-3", "Table 3. Linear queries, beside the paper's", std::move(linear)});
+    report.tables.push_back({"table-3", "Table 3. Linear queries, beside the paper's",
+                             std::move(linear), kLinearNote + column_notes(by_methods(rows))});
   }
   if (!costs.empty()) {
     report.tables.push_back(

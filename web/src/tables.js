@@ -39,10 +39,10 @@ function performance(id, title, note, list, rowsOf) {
   return card(id, title, note, head, body, data);
 }
 
-function plain({ id, title, columns, rows }) {
+function plain({ id, title, note, columns, rows }) {
   const head = h('thead', h('tr', columns.map((c) => h('th', { scope: 'col' }, c))));
   const body = h('tbody', rows.map((row) => h('tr', row.map((x, at) => h(at === 0 ? 'th' : 'td', at === 0 ? { scope: 'row' } : {}, x)))));
-  return card(id, title, null, head, body, [columns, ...rows]);
+  return card(id, title, note || null, head, body, [columns, ...rows]);
 }
 
 /** What everything above is summed up from. */
