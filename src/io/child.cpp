@@ -85,12 +85,6 @@ void let_ends_be_known() {
   ::sigaction(SIGCHLD, &action, nullptr);
 }
 
-std::uint64_t own_peak_kibibytes() {
-  rusage used{};
-  ::getrusage(RUSAGE_SELF, &used);
-  return static_cast<std::uint64_t>(used.ru_maxrss);
-}
-
 /// "; it printed: …", on one line; "" of nothing.
 std::string last_words(std::string printed) {
   while (!printed.empty() && std::isspace(static_cast<unsigned char>(printed.back())) != 0) {
@@ -195,17 +189,16 @@ void Child::start() {
     kill();
     system_refused("start a process", failed);
   }
-  own_kibibytes_ = own_peak_kibibytes();
 }
 
 void Child::kill() {
   if (pid_ > 0) {
     ::kill(pid_, SIGTERM);  // it ends whatever the plug-in has started, and itself
     ::kill(pid_, SIGCONT);  // should the plug-in have stopped it
-    if (await_end(kTimeToEnd, nullptr, nullptr) != pid_) {
+    if (await_end(kTimeToEnd, nullptr) != pid_) {
       ::kill(-pid_, SIGKILL);
-      ::kill(pid_, SIGKILL);                    // the group is not there before the child runs
-      await_end(kTimeToEnd, nullptr, nullptr);  // who traces it may keep it for longer
+      ::kill(pid_, SIGKILL);           // the group is not there before the child runs
+      await_end(kTimeToEnd, nullptr);  // who traces it may keep it for longer
     }
     pid_ = -1;
   }
@@ -313,10 +306,10 @@ bool Child::is_dead() const {
 }
 
 /// Waits so long at most. Returns pid_ iff it has ended.
-pid_t Child::await_end(Clock::duration most, int* status, rusage* used) const {
+pid_t Child::await_end(Clock::duration most, int* status) const {
   const auto until = Clock::now() + most;
   pid_t gone = 0;
-  while ((gone = ::wait4(pid_, status, WNOHANG, used)) == 0 && Clock::now() < until) {
+  while ((gone = ::waitpid(pid_, status, WNOHANG)) == 0 && Clock::now() < until) {
     ::poll(nullptr, 0, 1);
   }
   return gone;
@@ -325,9 +318,11 @@ pid_t Child::await_end(Clock::duration most, int* status, rusage* used) const {
 /// It closed its output, or is dead: how did it end?
 tl::unexpected<Fault> Child::ended() {
   int status = 0;
-  rusage used{};
-  const pid_t gone = await_end(kTimeToDie, &status, &used);
+  const pid_t gone = await_end(kTimeToDie, &status);
   read_printed();
+  // As its watchers say: to wait4 Linux adds what this process had when it became another by exec.
+  std::array<std::uint64_t, 2> kibibytes{};
+  ::recv(*questions_, kibibytes.data(), sizeof kibibytes, 0);
   const std::string printed = printed_text_;
   if (gone != pid_) {
     return stopped("garbage", "closed its output without an answer" + last_words(printed));
@@ -338,10 +333,8 @@ tl::unexpected<Fault> Child::ended() {
       printed.find(kStartsNone) != printed.npos) {
     system_refused("start a process", EAGAIN);  // what it was to run is not to blame
   }
-  // Linux counts what this process had when it became another by exec: then less is not known.
-  auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
-  if (kibibytes <= own_kibibytes_) kibibytes = 0;
-  return tl::unexpected(fault_of_end(status, kibibytes, program_.limits, printed));
+  return tl::unexpected(
+      fault_of_end(status, std::ranges::max(kibibytes), program_.limits, printed));
 }
 
 }  // namespace ccdfuzz

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <atomic>
@@ -83,7 +82,7 @@ class Child {
   tl::expected<std::string, Fault> await_reply(const std::string& question, double seconds);
   bool is_dead() const;
   tl::unexpected<Fault> ended();
-  pid_t await_end(Clock::duration most, int* status, rusage* used) const;
+  pid_t await_end(Clock::duration most, int* status) const;
   tl::unexpected<Fault> stopped(const std::string& name, const std::string& note);
   bool read_reply();
   bool read_printed();
@@ -95,8 +94,7 @@ class Child {
   std::string reply_;  ///< received and not yet taken
   /// The beginning and the end of what it wrote to stderr since its last answer or its start.
   std::string printed_text_;
-  std::size_t printed_bytes_ = 0;    ///< of all of that
-  std::uint64_t own_kibibytes_ = 0;  ///< the most that this process had when it was started
+  std::size_t printed_bytes_ = 0;  ///< of all of that
 };
 
 /// The path of the program that this process runs, also where /proc is missing.

@@ -1,11 +1,14 @@
 #include "io/supervise.hpp"
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -43,8 +46,8 @@ void end_descendants() {
 }
 
 [[noreturn]] void supervise(pid_t child, const sigset_t& awaited) {
-  // A descriptor that the child closes must be closed here, too.
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(descriptor);
+  // A descriptor that the child closes must be closed here, too; stdin is for what it used.
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) ::close(descriptor);
   while (true) {
     int signal = 0;
     ::sigwait(&awaited, &signal);
@@ -56,6 +59,10 @@ void end_descendants() {
     for (pid_t gone = 0; (gone = ::waitpid(-1, &status, WNOHANG)) > 0;) {
       if (gone != child) continue;
       end_descendants();
+      rusage used{};
+      ::getrusage(RUSAGE_CHILDREN, &used);
+      const auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
+      ::send(STDIN_FILENO, &kibibytes, sizeof kibibytes, MSG_DONTWAIT | MSG_NOSIGNAL);
       if (WIFSIGNALED(status)) end_by(WTERMSIG(status));
       std::_Exit(WEXITSTATUS(status));
     }

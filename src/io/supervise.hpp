@@ -9,7 +9,8 @@ namespace ccdfuzz {
 /// that started this one, which ends at once if that is gone.
 /// A watcher waits until the process below it ends. Then it ends all that this one has started, in
 /// any session or process group. It ends in the same way itself: by the same signal or with the
-/// same code. On SIGTERM, or when the process above it is gone, each ends at once.
+/// same code. Before that it sends the most KiB that one of those had, in 64 bits, to stdin, which
+/// is a socket. On SIGTERM, or when the process above it is gone, each ends at once.
 /// So nothing survives where the child kills its parent or its process group. It must kill both
 /// watchers, and the upper one is neither its parent nor in its group.
 void continue_in_supervised_child(pid_t starter);
