@@ -1,6 +1,6 @@
 // The main of every test executable: RapidCheck draws the same cases in every run, unless told
 // otherwise, and a failure prints the one command that shows it again.
-//   CCDFUZZ_SEED     seed of RapidCheck, default 1; "random" draws one (and prints it)
+//   CCDFUZZ_SEED     seed of RapidCheck and test_seed, default 1; "random" draws and prints one
 //   CCDFUZZ_EFFORT   whole factor on the number of cases, 1 to 1000000, default 1
 //   RC_PARAMS        RapidCheck's own, instead of both
 #include <gmock/gmock.h>
@@ -51,6 +51,7 @@ std::string fix_random_cases() {
   const std::string asked = from_environment("CCDFUZZ_SEED", "1");
   const unsigned long seed =
       asked == "random" ? std::random_device{}() : number("CCDFUZZ_SEED", asked);
+  setenv("CCDFUZZ_SEED", std::to_string(seed).c_str(), 1);  // for test_seed
   const std::string params =
       "seed=" + std::to_string(seed) + " max_success=" + std::to_string(kCasesPerProperty * effort);
   setenv("RC_PARAMS", params.c_str(), 1);  // before RapidCheck reads it, at the first property

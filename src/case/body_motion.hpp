@@ -16,8 +16,8 @@ bool are_given_as_floats(const Query& bodies);
 
 /// Changes bodies of floats so that they are, in numbers that are floats. Where a motion is none,
 /// the step becomes as long as the next power of two. All bodies then move and spin as far in it as
-/// before, to 2^-24 of that. Numbers that are to be subtracted lose their last bits below 2^-22 of
-/// the larger of them. Numbers near the least or the largest float may stay as they are.
+/// before, to 2^-24 of that or the least float. Numbers that are to be subtracted lose their last
+/// bits below 2^-22 of the larger of them. The least capsules and largest motions may stay so.
 void give_as_floats(Query& bodies);
 
 }  // namespace ccdfuzz

@@ -19,7 +19,8 @@ struct Bred {
 };
 
 Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
-             const HuntGround& ground = {}, Aim aim = Aim::kMargins, std::uint64_t seed = 1) {
+             const HuntGround& ground = {}, Aim aim = Aim::kMargins,
+             std::uint64_t seed = test_seed()) {
   MethodSet methods;
   Breeder breeder(method, seed, ground, aim);
   const Draws draws(seed, ground);
@@ -42,21 +43,31 @@ Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
   return bred;
 }
 
+// Measured: 100 mutants have one in 36 of 60 seeds.
 TEST(Breeder, FindsFaceContactsThatPlainTdibmMissesWhereDrawsFindNone) {
-  const Bred bred = bred_by("tdibm", ContactClass::kEF, 100);
-  EXPECT_EQ(bred.tally.mutants, 100U);
-  EXPECT_GE(bred.tally.lost, 5U);
-  EXPECT_GE(bred.found.size(), 1U);
+  std::size_t found = 0;
+  for (std::uint64_t i = 0; i < 12 && found == 0; ++i) {
+    const Bred bred = bred_by("tdibm", ContactClass::kEF, 100, {}, Aim::kMargins, test_seed() + i);
+    EXPECT_EQ(bred.tally.mutants, 100U);
+    EXPECT_GE(bred.tally.lost, 5U);
+    found += bred.found.size();
+  }
+  EXPECT_GE(found, 1U);
 }
 
-/// It fails on every query. So each mutant that it is asked about is a find, and as long as they
-/// get no smaller it is asked about none.
+/// It fails on every query. So each mutant that it is asked about is a find, unless it was drawn.
+/// As long as they get no smaller it is asked about none, in 3 of 38 seeds about none of 100.
 TEST(Breeder, CountsOfAPluginTheMutantsThatItWasAskedAbout) {
   const std::string silent = "plugin:" CCDFUZZ_TEST_MISBEHAVING_PLUGIN ":silent:seconds=30";
   ASSERT_TRUE(admit_plugin(silent));
-  const Bred bred = bred_by(silent, ContactClass::kVV, 100);
-  EXPECT_GE(bred.found.size(), 1U);
-  EXPECT_EQ(bred.tally.mutants, bred.found.size());
+  std::size_t found = 0;
+  for (std::uint64_t i = 0; i < 5; ++i) {
+    const Bred bred = bred_by(silent, ContactClass::kVV, 100, {}, Aim::kMargins, test_seed() + i);
+    EXPECT_GE(bred.tally.mutants, bred.found.size());
+    EXPECT_LE(bred.tally.mutants, bred.found.size() + 5);
+    found += bred.found.size();
+  }
+  EXPECT_GE(found, 1U);
 }
 
 // Measured: 1,181 and 471 of 6,000 mutants.
@@ -90,22 +101,25 @@ TEST(Breeder, KeepsTheShapes) {
   EXPECT_GE(bred.tally.mutants, 20 / kOneIn);
   EXPECT_GE(bred.found.size(), 1U);
   for (const Case& c : bred.found) {
-    for (std::size_t s = 0; s < 2; ++s) {
-      EXPECT_EQ(c.query.patches[s].shape, (*ground.shapes)[s]) << to_json(c);
-    }
+    const auto& [a, b] = c.query.patches;
+    EXPECT_TRUE((ShapePair{a.shape, b.shape} == *ground.shapes) ||
+                (ShapePair{b.shape, a.shape} == *ground.shapes))
+        << to_json(c);
   }
 }
 
 TEST(Breeder, KeepsLinear) {
   HuntGround ground;
   ground.linear = true;
+  std::uint64_t mutants = 0;
   for (const ContactClass contact : kLinearClasses) {
     const Bred bred = bred_by("tdibm", contact, 300 / kOneIn, ground);
-    EXPECT_GE(bred.tally.mutants, 20 / kOneIn) << name_of(contact);
+    mutants += bred.tally.mutants;
     for (const Case& c : bred.found) {
       EXPECT_TRUE(linear_class_of(c.query)) << to_json(c);
     }
   }
+  EXPECT_GE(mutants, 40 / kOneIn);
 }
 
 }  // namespace

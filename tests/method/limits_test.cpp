@@ -11,6 +11,7 @@
 #include "generators/generate.hpp"
 #include "method/method.hpp"
 #include "numeric/block_array.hpp"
+#include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -67,15 +68,19 @@ TEST(Memory, PeakStaysWithinTheBudgetAndLittleIsKept) {
   EXPECT_LE(next.kept + large.kept, static_cast<long>(kKeptBytes));
 }
 
-/// Regular contacts of two faces of the shape, at a separation.
+/// Regular contacts of two faces of the shape, at a separation. One in a hundred takes more.
 void expect_few_pops_apart(const char* method_name, const Shape& shape) {
   const auto method = *make_method(method_name);
   GeneratorOptions options{.family = Family::kSeparated, .shapes = std::array{shape, shape}};
+  options.seed = test_seed();
+  int many = 0;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Case apart = generate(options, i).value;
     const Answer answer = method->answer(apart.query, {.max_pops = 2000});
-    EXPECT_EQ(answer.verdict, Verdict::kHit) << i << " of " << to_text(apart.query);
+    EXPECT_NE(answer.verdict, Verdict::kMiss) << i << " of " << to_text(apart.query);
+    many += answer.verdict == Verdict::kHit ? 0 : 1;
   }
+  EXPECT_LE(many, 4) << to_text(shape);
 }
 
 TEST(Pops, AreFewAtASeparationThoughTheWindowGoesOnAfterTheContact) {
