@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
@@ -102,7 +103,14 @@ constexpr auto families_between() {
 inline constexpr auto kFamilies = families_between<Family::kRegular, Family::kAnywhere>();
 inline constexpr auto kAllFamilies = families_between<Family::kRegular, Family::kSpinningGrazing>();
 /// Those of queries with weights, loops, ends or a separation.
-inline constexpr auto kNotPlainFamilies = families_between<Family::kWeighted, Family::kSeparated>();
+constexpr bool is_not_plain(Family family) {
+  return family > Family::kAnywhere && !is_of_bodies(family);
+}
+inline constexpr auto kNotPlainFamilies = [] {
+  std::array<Family, std::ranges::count_if(kAllFamilies, is_not_plain)> all{};
+  std::ranges::copy_if(kAllFamilies, all.begin(), is_not_plain);
+  return all;
+}();
 constexpr const auto& all_of(Family) {
   return kAllFamilies;
 }

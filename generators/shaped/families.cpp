@@ -119,7 +119,8 @@ constexpr auto kRows = std::to_array<FamilyRow>({
     {Family::kSpinningGrazing, "spinning-grazing", "the same by an angular velocity; VE VV",
      kOfTurns, turning_case, own_shapes},
 });
-static_assert(std::ranges::equal(kRows, kAllFamilies, {}, &FamilyRow::family));
+static_assert(std::ranges::equal(kRows, kAllFamilies, {}, &FamilyRow::family),
+              "each family has a row in kRows, in the order of Family");
 
 }  // namespace
 

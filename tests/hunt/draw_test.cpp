@@ -67,8 +67,8 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
 /// The families of weights, loops, ends and separations among the draws for such a method.
 std::set<std::string> not_plain_draws(const Features& taken) {
   const Draws draws(1, {}, taken);
-  const std::set<std::string> not_plain = {"weighted", "round", "apart",
-                                           "trimmed",  "ends",  "separated"};
+  std::set<std::string_view> not_plain;
+  for (const Family family : kNotPlainFamilies) not_plain.insert(name_of(family));
   std::set<std::string> seen;
   for (std::uint64_t n = 0; n < 30; ++n) {
     const std::vector<CheckedCase> drawn = draws.at(ContactClass::kFF, n);
