@@ -3,7 +3,7 @@
 
 Pages as in prose.py, and derivations. A path is a code span that begins with a folder of the project; * is as in a
 shell. One with a word in capitals is a pattern, and not looked up. A property is a code span that begins with the
-group of one. A planted fault may have the same group.
+group of one. A planted fault may have the same group. The page of plug-ins shows each field of their claims.
 """
 import fnmatch
 import re
@@ -18,6 +18,9 @@ STORED = (ROOT / 'tests/golden/properties.txt').read_text()
 FAULTS = (ROOT / 'bench/scoreboard/faults.txt').read_text()
 KNOWN = re.findall(r'^{"property":"([^"]+)"', STORED, re.M) + re.findall(r'^fault: (\S+)', FAULTS, re.M)
 GROUPS = {name.partition('.')[0] for name in KNOWN}
+PLUGIN = ROOT / 'src/method/plugin'
+CLAIMS = re.findall(r'{(?:&Features::\w+, )?"(\w+)", (?:CCDFUZZ_|\(d\.claims &)',
+                    (PLUGIN / 'feature_claims.hpp').read_text() + (PLUGIN / 'worker.cpp').read_text())
 ENDINGS = '.c .md .json .jsonl .hpp .cpp .txt .mjs .zst'
 
 
@@ -55,6 +58,8 @@ def check(page):
 def main():
     found = [f'{page.relative_to(ROOT)}: {what}' for page in [*pages(), *ROOT.glob('src/**/DERIVATION.md')]
              for what in check(page)]
+    page = (ROOT / 'docs/plug-ins.md').read_text()
+    found += [f'docs/plug-ins.md: no "{claim}"' for claim in CLAIMS if f'"{claim}":' not in page]
     print(*found, f'{len(found)} broken', sep='\n')
     return 1 if found else 0
 

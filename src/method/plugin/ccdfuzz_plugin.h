@@ -121,7 +121,7 @@ typedef struct ccdfuzz_answer {
   char message[128];   /* for people; ends with a NUL */
 } ccdfuzz_answer;
 
-/* ccdfuzz_description.claims */
+/* ccdfuzz_description.claims; the next bit that is free is 524288 */
 enum {
   CCDFUZZ_CONSERVATIVE = 1,      /* never misses a contact, and toi_lower is never after it */
   CCDFUZZ_CLOSED_T_MAX = 2,      /* sees a contact at t = t_max, too */

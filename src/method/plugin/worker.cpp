@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -90,6 +91,15 @@ struct Fenced {
 
 constexpr auto kShapeNames = names_of(ccdfuzz::ShapeKind{});
 static_assert(CCDFUZZ_HULL == static_cast<int>(ccdfuzz::ShapeKind::kHull));
+
+constexpr std::uint64_t all_claims() {
+  std::uint64_t sum = CCDFUZZ_CONSERVATIVE + CCDFUZZ_CLOSED_T_MAX + CCDFUZZ_CONTACT_AT_ZERO +
+                      CCDFUZZ_BINARY32 + CCDFUZZ_ORDINARY + CCDFUZZ_PLANE + CCDFUZZ_SMALL_SPINS +
+                      CCDFUZZ_SHORT_SPINS + CCDFUZZ_INITIAL_OVERLAP;
+  for (const ccdfuzz::FeatureClaim& claim : ccdfuzz::kFeatureClaims) sum += claim.bit;
+  return sum;
+}
+static_assert(std::has_single_bit(all_claims() + 1), "claims have the lowest bits, one each");
 
 /// The name of a number that a description holds.
 std::string_view named(const auto& names, std::uint32_t number, const std::string& what) {
