@@ -82,7 +82,8 @@ def install_npm(build, name, package, version, only_installed=False):
     adapter = folder / name / "adapter.mjs"
     if only_installed and not (folder / "node_modules").exists():
         raise RuntimeError("it is not installed")
-    adapter.parent.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(adapter.parent, ignore_errors=True)  # of an adapter that had other files
+    adapter.parent.mkdir(parents=True)
     if not only_installed:
         run(["npm", "install", "--prefix", folder, "--no-audit", "--no-fund", "--no-save",
              f"{package}@{version}"])

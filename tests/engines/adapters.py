@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """adapters.py CCDFUZZ FOLDER: adapters are short, and say the version that script/engines and the corpus say.
 
-No adapter has more than 80 lines, as docs/engines/README.md says. Each kept find has a version in its origin, and each
+Each folder of an adapter has a line in ENGINES, a promise.json and a page. No adapter has more than 80 lines, as
+docs/engines/README.md says. Each kept find has a version in its origin, and each
 miss and late answer a depth. Where FCL or Bullet is installed, its adapter says the version that Debian's package has,
 and `replay --update` writes the depth of its finds. Nothing is drawn that Bullet's refuses, with options that draw more.
 """
@@ -64,6 +65,11 @@ def main():
     ccdfuzz, folder = sys.argv[1], Path(sys.argv[2])
     lines = {path: len(path.read_text().splitlines()) for path in ADAPTERS.glob("*/adapter.*")}
     errors = [f"{path}: {count} lines" for path, count in lines.items() if count > 80]
+    folders = {path.name for path in ADAPTERS.iterdir() if path.is_dir()}
+    errors += [f"{ADAPTERS / name}: is either no folder, or has no line in ENGINES" for name in folders ^ ENGINES.keys()]
+    for name in folders:
+        page = ROOT / f"docs/engines/{name.removesuffix('-bodies')}.md"
+        errors += [f"{path}: is not there" for path in (ADAPTERS / name / "promise.json", page) if not path.exists()]
     kept = {path: json.loads(path.read_text()) for path in (ROOT / "corpus/engines").glob("*/*.json")}
     assert len(lines) >= 14 and len(kept) >= 40
     for path, find in kept.items():
