@@ -43,7 +43,7 @@ Column<Row> text_column(const char* title, const Text& text) {
           [text](const Row& row) { return TableCell{std::string(text(row))}; }};
 }
 
-/// Of paper_table_3.
+/// What stands below paper_table_3.
 inline constexpr const char* kLinearNote =
     "Rates are of contacts, or of absences; the paper's are of all its queries\n";
 
