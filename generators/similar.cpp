@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generators/exact_sum.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

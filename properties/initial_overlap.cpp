@@ -5,6 +5,8 @@
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/outcome_of.hpp"
+#include "generators/draw_patch.hpp"
+#include "method/domain.hpp"
 #include "method/setting.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/show.hpp"

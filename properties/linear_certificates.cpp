@@ -6,6 +6,7 @@
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
+#include "generators/draw_patch.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/show.hpp"
 

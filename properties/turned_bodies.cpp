@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/spin.hpp"

@@ -120,7 +120,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   Rows rows;
   ReportRows page;
   tbb::enumerable_thread_specific<MethodSet> methods;
-  std::uint64_t past_motion = 0;  // queries
+  std::uint64_t left_out = 0;  // queries
   session.each_case<EvaluatedCase>(
       CasesToEvaluate(files, shard, earlier ? &*earlier : nullptr),
       [&](CaseToEvaluate& item) { return need(evaluated(item, options, methods.local())); },
@@ -128,7 +128,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
         rows.add(answered);
         if (const size_t factors = options.horizon_factors.size();
             factors > 0 && item.value.truth.contact_by()) {
-          past_motion += factors - answered.answers.size() / options.methods.size();
+          left_out += factors - answered.answers.size() / options.methods.size();
         }
         const double precision = options.search_for(item.value).precision;
         if (!arguments.page.empty()) page.add(answered, item.value, precision);
@@ -142,10 +142,10 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     if (kept) return code;
   }
   session.note_truths();
-  if (past_motion > 0) {
+  if (left_out > 0) {
     session.remark(
         "{} not asked: --t-max-factors end them past 1, where a motion ends, or past all doubles",
-        counted(past_motion, "query is", "queries are"));
+        counted(left_out, "query is", "queries are"));
   }
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "eval/paper_rates.hpp"
+#include "files/case_files.hpp"
 #include "io/line_reader.hpp"
 #include "io/output_file.hpp"
 
