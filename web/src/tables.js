@@ -22,7 +22,8 @@ function card(id, title, note, head, body, rows) {
 function performance(id, title, note, list, rowsOf) {
   const timed = list.some((g) => g.seconds !== null);
   const columns = methods.filter((m) => list.some((g) => g.method === m));
-  const blocks = [...(timed ? [['t (ms)', (r) => milliseconds(r), () => false]] : []),
+  const isBound = (r) => r?.undecided > 0;
+  const blocks = [...(timed ? [['t (ms)', milliseconds, () => false, isBound]] : []),
     ['FP', (r) => share(r?.false_positive, r?.negatives), (r) => r?.false_positive > 0],
     ['FN missed', (r) => share(r?.missed, r?.positives), (r) => r?.missed > 0],
     ['FN late', (r) => share(r?.late, r?.positives), (r) => r?.late > 0]];
@@ -33,10 +34,11 @@ function performance(id, title, note, list, rowsOf) {
   const body = h('tbody', rowsOf.map(({ name, pick }) => {
     const found = columns.map((m) => pick(m));
     data.push([name, ...blocks.flatMap(([, text]) => found.map(text))]);
-    return h('tr', h('th', { scope: 'row' }, name), blocks.map(([, text, bad]) => found.map((r, at) =>
-      h(`td${at === 0 ? '.block' : ''}${bad(r) ? '.bad' : ''}`, text(r)))));
+    return h('tr', h('th', { scope: 'row' }, name), blocks.map(([, text, bad, marks]) => found.map((r, at) =>
+      h(`td${at === 0 ? '.block' : ''}${bad(r) ? '.bad' : ''}`, marks?.(r) ? `≥ ${text(r)}` : text(r)))));
   }));
-  return card(id, title, note, head, body, data);
+  const bounds = timed && list.some(isBound) && '≥: some of these queries ended undecided, and would take longer.';
+  return card(id, title, [note, bounds].filter(Boolean).join(' ') || null, head, body, data);
 }
 
 function plain({ id, title, note, columns, rows }) {

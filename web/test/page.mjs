@@ -45,6 +45,7 @@ for (const contact of ['FF', 'EF', 'EE', 'VF', 'VE', 'VV']) {
 }
 run('evaluate', ...['FF', 'EF', 'EE', 'VF', 'VE', 'VV'].flatMap((c) => [data(`${c}RP.jsonl`), data(`${c}RN.jsonl`)]),
   '--methods', 'tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-c', '--report', data('evaluation'));
+run('evaluate', data('FFRP.jsonl'), '--methods', 'tdibm-c', '--max-pops', '4', '--report', data('cut'));
 run('hunt', '--seconds', '3', '--shrink', 'none', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt'));
 run('report', data('one-entry'), '--scoreboard', join('tests', 'report', 'scoreboard.json'), '-o', data('board'));
 // A plug-in that reports each contact at t_max, and so late.
@@ -527,6 +528,16 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
     claim(`${id} is saved as CSV`, name === `${id}.csv` && lines.length === 1 + rows, name, lines.length, rows);
   }
   claim('Tables 1, 2 and all groups are there', ['table-1', 'table-2', 'groups'].every((id) => tables.some(([other]) => other === id)), tables);
+  await close();
+}
+
+// Times of queries that a budget cut short.
+{
+  const { tab, close } = await open('cut', {}, '#tables');
+  const cells = await tab.$$eval('#table-1 tbody td', (all) => all.map((e) => e.innerText));
+  claim('a time that would be longer is marked', cells.some((text) => /^≥ [\d.]+$/.test(text)), cells);
+  const { lines } = await savedCsv(tab, '#table-1 button.copy');
+  claim('and is a number in the CSV', lines.some((line) => /^Face-Face,[\d.]+,/.test(line)), lines);
   await close();
 }
 
