@@ -1,7 +1,5 @@
 #include "generators/draw_contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +71,7 @@ void draw_twins(Draw& choices, const ContactSide& side, int ulps, MovingPatch<do
 
 Result<void> refuse_unless_in(const std::string& field, int value, int lo, int hi) {
   if (lo <= value && value <= hi) return {};
-  return input_error(field, fmt::format("{} is not in [{}, {}]", value, lo, hi));
+  return input_error(field, "{} is not in [{}, {}]", value, lo, hi);
 }
 
 }  // namespace

@@ -48,42 +48,38 @@ bool is_made(Family family, ContactClass contact, CaseKind kind) {
 
 Result<void> validate(const GeneratorOptions& options) {
   if (const int e = eps_t_exponent(options); e < -40 || e > -1) {
-    return input_error("eps_t", fmt::format("2^{} is not in [2^-40, 2^-1]", e));
+    return input_error("eps_t", "2^{} is not in [2^-40, 2^-1]", e);
   }
   if (options.proof_pops == 0) return input_error("proof_pops", "0 is not at least 1");
   if (has_own_shapes(options.family) && options.shapes) {
-    return input_error("shape",
-                       fmt::format("the family {} has shapes of its own", name_of(options.family)));
+    return input_error("shape", "the family {} has shapes of its own", name_of(options.family));
   }
   if (is_of_bodies(options.family) && !has_bodies(options.bodies, options.contact)) {
-    return input_error("contact", fmt::format("bodies of the kinds that are taken have no {}",
-                                              name_of(options.contact)));
+    return input_error("contact", "bodies of the kinds that are taken have no {}",
+                       name_of(options.contact));
   }
   if (!is_made(options.family, options.contact, CaseKind::kRP)) {
-    return input_error("contact", fmt::format("the family {} has no {}", name_of(options.family),
-                                              name_of(options.contact)));
+    return input_error("contact", "the family {} has no {}", name_of(options.family),
+                       name_of(options.contact));
   }
   if (!is_made(options.family, options.contact, options.kind)) {
     const bool is_hit_later = options.kind == CaseKind::kNMN && is_grazing(options.family) &&
                               is_of_a_mesh(options.family);
     return input_error(
-        "kind",
-        fmt::format("{} of {} is not generated in the family {}{}", name_of(options.kind),
-                    name_of(options.contact), name_of(options.family),
-                    is_hit_later ? ": past the near miss the body hits the mesh, as in mesh" : ""));
+        "kind", "{} of {} is not generated in the family {}{}", name_of(options.kind),
+        name_of(options.contact), name_of(options.family),
+        is_hit_later ? ": past the near miss the body hits the mesh, as in mesh" : "");
   }
   if (is_shaped(options)) return validate_shaped(options);
   if (options.plane && is_of_a_mesh(options.family)) {
     return input_error("plane", "there are no meshes in a plane");
   }
   if (options.plane && is_grazing(options.family) && options.family != Family::kBodiesGrazing) {
-    return input_error("plane",
-                       fmt::format("bodies of {} turn out of it", name_of(options.family)));
+    return input_error("plane", "bodies of {} turn out of it", name_of(options.family));
   }
   const auto features = features_of(options.contact);
   if (options.plane && std::ranges::find(features, Feature::kFace) != features.end()) {
-    return input_error("contact",
-                       fmt::format("bodies in a plane have no {}", name_of(options.contact)));
+    return input_error("contact", "bodies in a plane have no {}", name_of(options.contact));
   }
   return {};
 }

@@ -1,7 +1,5 @@
 #include "properties/suites.hpp"
 
-#include <fmt/format.h>
-
 namespace ccdfuzz {
 
 std::vector<Property> Suite::thought_to_hold() const {
@@ -16,7 +14,7 @@ Result<Suite> suite_named(std::string_view name) {
     if (suite.name == name) return suite;
     names += (names.empty() ? "" : ", ") + suite.name;
   }
-  return input_error("", fmt::format("no target \"{}\"; there are: {}", name, names));
+  return input_error("", "no target \"{}\"; there are: {}", name, names);
 }
 
 const std::vector<Property>& properties() {
@@ -44,9 +42,9 @@ Result<Property> property_named(std::string_view name, const std::vector<Propert
     ++count;
   }
   const bool is_help = 0 < count && count <= kMost;
-  return input_error("", fmt::format("no property \"{}\"; {}{}", name,
-                                     is_help ? "there are: " : "the list is: ccdfuzz properties",
-                                     is_help ? alike : ""));
+  return input_error("", "no property \"{}\"; {}{}", name,
+                     is_help ? "there are: " : "the list is: ccdfuzz properties",
+                     is_help ? alike : "");
 }
 
 }  // namespace ccdfuzz

@@ -1,7 +1,5 @@
 #include "campaign_options.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -30,15 +28,15 @@ Result<void> check_options(const CampaignOptions& options,
                            const std::vector<PlantedFault>& faults) {
   for (const std::string& name : options.drivers) {
     if (enum_named<Driver>(name)) continue;
-    return input_error("--drivers",
-                       fmt::format("no driver \"{}\"; there are: {}", name, enum_names<Driver>()));
+    return input_error("--drivers", "no driver \"{}\"; there are: {}", name, enum_names<Driver>());
   }
   for (const std::string& name : options.faults) {
     if (name == kNoFault || name == kWatchedFaults) continue;
     if (std::ranges::find(faults, name, &PlantedFault::name) == faults.end()) {
-      return input_error("--faults", fmt::format("no fault \"{}\"; faults.txt has their names, and "
-                                                 "there are {} and {}",
-                                                 name, kNoFault, kWatchedFaults));
+      return input_error("--faults",
+                         "no fault \"{}\"; faults.txt has their names, and "
+                         "there are {} and {}",
+                         name, kNoFault, kWatchedFaults);
     }
   }
   return {};

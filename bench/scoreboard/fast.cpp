@@ -85,7 +85,7 @@ Result<std::vector<int>> numbers_of(const std::vector<PlantedFault>& faults,
     } else if (fault != faults.end()) {
       numbers.push_back(static_cast<int>(fault - faults.begin()) + 1);
     } else {
-      return input_error("", fmt::format("no fault \"{}\"", name));
+      return input_error("", "no fault \"{}\"", name);
     }
   }
   return numbers;

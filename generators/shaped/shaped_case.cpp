@@ -1,7 +1,5 @@
 #include "generators/shaped/shaped_case.hpp"
 
-#include <fmt/format.h>
-
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/families.hpp"
@@ -25,24 +23,21 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
   for (size_t s = 0; s < 2; ++s) {
     const std::string shape = to_text(shapes[s]);
     if (!shapes[s].valid()) {
-      return input_error("shape", fmt::format("{} has a degree outside 1..{}", shape, kMaxDegree));
+      return input_error("shape", "{} has a degree outside 1..{}", shape, kMaxDegree);
     }
     if (!has_feature(shapes[s], features[s])) {
-      return input_error("shape", fmt::format("patch {} of {} has a {}, and {} has none", s + 1,
-                                              name_of(options.contact),
-                                              kNames[static_cast<size_t>(features[s])], shape));
+      return input_error("shape", "patch {} of {} has a {}, and {} has none", s + 1,
+                         name_of(options.contact), kNames[static_cast<size_t>(features[s])], shape);
     }
     if (is_grazing(options.kind) && !touches_in_one_point(shapes[s], features[s])) {
-      return input_error(
-          "shape", fmt::format("{} of {} needs degrees of 2 or more, not {}", name_of(options.kind),
-                               name_of(options.contact), shape));
+      return input_error("shape", "{} of {} needs degrees of 2 or more, not {}",
+                         name_of(options.kind), name_of(options.contact), shape);
     }
   }
   const FamilyRow& row = row_of(options.family);
   if (row.fits != nullptr && !row.fits(options.contact, shapes)) {
-    return input_error("shape", fmt::format("{} and {} have no contact {} of {}",
-                                            to_text(shapes[0]), to_text(shapes[1]),
-                                            name_of(options.family), name_of(options.contact)));
+    return input_error("shape", "{} and {} have no contact {} of {}", to_text(shapes[0]),
+                       to_text(shapes[1]), name_of(options.family), name_of(options.contact));
   }
   return {};
 }
@@ -91,8 +86,8 @@ bool is_shaped(const GeneratorOptions& options) {
 
 Result<void> validate_shaped(const GeneratorOptions& options) {
   if (options.family == Family::kTwins) {
-    return input_error("shape", fmt::format("the family {} has no shapes but triangle:2",
-                                            name_of(options.family)));
+    return input_error("shape", "the family {} has no shapes but triangle:2",
+                       name_of(options.family));
   }
   if (options.family == Family::kRegular && options.construction == Construction::kPaper) {
     return input_error("construction", "paper makes patches of shape triangle:2 only");

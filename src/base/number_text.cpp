@@ -1,7 +1,5 @@
 #include "base/number_text.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -46,9 +44,10 @@ std::optional<double> take_term(std::string_view& rest) {
 Result<double> parse_number(const std::string& where, const std::string& text) {
   const FpGuard guard;
   const auto refuse = [&] {
-    return input_error(where, fmt::format("\"{}\" is not a number such as 0.5, 1e-6, 2^-20 or "
-                                          "1+2^-30",
-                                          text));
+    return input_error(where,
+                       "\"{}\" is not a number such as 0.5, 1e-6, 2^-20 or "
+                       "1+2^-30",
+                       text);
   };
   std::string_view rest = text;
   double sum = 0;
@@ -65,8 +64,7 @@ Result<double> parse_number(const std::string& where, const std::string& text) {
     if (!term) return refuse();
     const double before = std::exchange(sum, sum + sign * *term);
     if (!first && ((*term != 0 && sum == before) || (before != 0 && sum == sign * *term))) {
-      return input_error(
-          where, fmt::format("\"{}\" is not a double: a term of it is lost by rounding", text));
+      return input_error(where, "\"{}\" is not a double: a term of it is lost by rounding", text);
     }
     first = false;
   }
@@ -77,7 +75,7 @@ Result<double> parse_number(const std::string& where, const std::string& text) {
 Result<double> parse_seconds(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double seconds) -> Result<double> {
     if (0 < seconds && seconds <= kMostSeconds) return seconds;
-    return input_error(where, fmt::format("{} is not in (0, {}]", text, kMostSeconds));
+    return input_error(where, "{} is not in (0, {}]", text, kMostSeconds);
   });
 }
 
@@ -85,7 +83,7 @@ Result<int> parse_power_of_two(const std::string& where, const std::string& text
   return parse_number(where, text).and_then([&](double value) -> Result<int> {
     int exponent = 0;
     if (!(value > 0) || std::frexp(value, &exponent) != 0.5) {
-      return input_error(where, fmt::format("\"{}\" is not a power of two such as 2^-20", text));
+      return input_error(where, "\"{}\" is not a power of two such as 2^-20", text);
     }
     return exponent - 1;
   });
@@ -101,16 +99,15 @@ Result<std::uint64_t> parse_whole(const std::string& where, const std::string& t
   if (is_whole && least <= value && value <= most) return value;
   constexpr size_t kShown = 40;
   const bool has_limit = most < std::numeric_limits<std::uint64_t>::max();
-  return input_error(where, fmt::format("\"{}{}\" is not a whole number from {} to {}",
-                                        text.substr(0, kShown), text.size() > kShown ? "…" : "",
-                                        least, has_limit ? std::to_string(most) : "2^64 - 1"));
+  return input_error(where, "\"{}{}\" is not a whole number from {} to {}", text.substr(0, kShown),
+                     text.size() > kShown ? "…" : "", least,
+                     has_limit ? std::to_string(most) : "2^64 - 1");
 }
 
 Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things) {
   if (first <= std::numeric_limits<std::uint64_t>::max() - count) return {};
-  return input_error(
-      "--first", fmt::format("{} is too large: the last of {} {} would be above 2^64 - 2", first,
-                             count, things));
+  return input_error("--first", "{} is too large: the last of {} {} would be above 2^64 - 2", first,
+                     count, things);
 }
 
 }  // namespace ccdfuzz

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
@@ -24,6 +26,13 @@ using Result = tl::expected<T, InputError>;
 
 inline tl::unexpected<InputError> input_error(std::string where, std::string what) {
   return tl::unexpected<InputError>({std::move(where), std::move(what)});
+}
+
+/// The same, with what is filled in by fmt::format.
+template <class... Values>
+requires(sizeof...(Values) > 0) tl::unexpected<InputError> input_error(
+    std::string where, fmt::format_string<Values...> what, Values&&... values) {
+  return input_error(std::move(where), fmt::format(what, std::forward<Values>(values)...));
 }
 
 /// Declares a variable for what a Result holds, or assigns it to one; if it holds an error, returns

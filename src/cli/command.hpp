@@ -67,7 +67,7 @@ const std::string& command_line();
 template <NamedEnum E>
 Result<E> parse_choice(const std::string& where, const std::string& text) {
   if (const std::optional<E> named = enum_named<E>(text)) return *named;
-  return input_error(where, fmt::format("\"{}\" is not one of {}", text, enum_names<E>()));
+  return input_error(where, "\"{}\" is not one of {}", text, enum_names<E>());
 }
 
 /// The type of a value, or of what an optional may hold.

@@ -20,7 +20,7 @@ namespace {
 Result<double> parse_precision(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double width) -> Result<double> {
     if (Asked::admits(width)) return width;
-    return input_error(where, fmt::format("{} is not in [2^-50, 1]", text));
+    return input_error(where, "{} is not in [2^-50, 1]", text);
   });
 }
 
@@ -33,9 +33,9 @@ Result<Shape> parse_shape(const std::string& where, const std::string& text) {
       if (text == fmt::format("tensor:{}x{}", n, m)) return Shape::tensor(n, m);
     }
   }
-  return input_error(
-      where, fmt::format("\"{}\" is not point, curve:N, triangle:N or tensor:NxM, of degrees 1..{}",
-                         text, kMaxDegree));
+  return input_error(where,
+                     "\"{}\" is not point, curve:N, triangle:N or tensor:NxM, of degrees 1..{}",
+                     text, kMaxDegree);
 }
 
 }  // namespace
@@ -203,14 +203,13 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
   const auto index = parse_whole("", text.substr(0, slash));
   const auto of = parse_whole("", slash == std::string::npos ? "" : text.substr(slash + 1));
   if (!index || !of) {
-    return input_error("--shard", fmt::format("\"{}\" is not of the form i/n", text));
+    return input_error("--shard", "\"{}\" is not of the form i/n", text);
   }
   if (*index >= *of) {
-    return input_error("--shard", fmt::format("{}: there is no share {} of {}", text, *index, *of));
+    return input_error("--shard", "{}: there is no share {} of {}", text, *index, *of);
   }
   if (*of > total) {
-    return input_error("--shard",
-                       fmt::format("{}: more shares than there are {}, {}", text, what, total));
+    return input_error("--shard", "{}: more shares than there are {}, {}", text, what, total);
   }
   return Shard{*index, *of};
 }

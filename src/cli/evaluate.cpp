@@ -36,8 +36,7 @@ struct EvaluateArguments {
 Result<double> parse_horizon(const std::string& where, const std::string& text) {
   CCDFUZZ_TRY(const double factor, parse_number(where, text));
   if (factor >= 1) return factor;
-  return input_error(where,
-                     fmt::format("{} is below 1: the contact would be out of reach", factor));
+  return input_error(where, "{} is below 1: the contact would be out of reach", factor);
 }
 
 /// Reads the files once, to know which cases they hold. Another build of a plug-in is another run.

@@ -31,7 +31,7 @@ Result<Form> parse_form(const std::string& where, const std::string& text) {
     if (one.engine == text) return one;
     names.append(", ").append(one.engine);
   }
-  return input_error(where, fmt::format("\"{}\" is none of {}", text, names));
+  return input_error(where, "\"{}\" is none of {}", text, names);
 }
 
 struct ExportOptions {

@@ -221,8 +221,7 @@ Result<std::string> parse_built_in(const std::string& where, const std::string& 
 Result<Outcome> parse_until(const std::string& where, const std::string& text) {
   const std::optional<Outcome> named = enum_named<Outcome>(text);
   if (named && is_failure(*named)) return *named;
-  return input_error(where,
-                     fmt::format("\"{}\" is not one of missed, late, false_positive, error", text));
+  return input_error(where, "\"{}\" is not one of missed, late, false_positive, error", text);
 }
 
 std::vector<std::string> methods_by_default() {

@@ -97,8 +97,8 @@ Result<void> flush_stdout() {
   errno = 0;
   if (std::fflush(stdout) != 0 && first_errno == 0) first_errno = errno;
   if (first_errno == 0 && std::ferror(stdout) == 0) return {};
-  return input_error("stdout", fmt::format("cannot write: {}",
-                                           std::strerror(first_errno == 0 ? EIO : first_errno)));
+  return input_error("stdout", "cannot write: {}",
+                     std::strerror(first_errno == 0 ? EIO : first_errno));
 }
 
 Progress::Progress()

@@ -52,8 +52,8 @@ Result<EvaluatedCase> read_answers(const CaseToEvaluate& item) {
   const auto& [where, json] = *item.line;
   Result<EvaluatedCase> read = from_json<EvaluatedCase>(json, where);
   if (read && (read->index != item.index || read->id != item.id)) {
-    return input_error(where, fmt::format("is of case {}, {}, not {}, {}", read->index, read->id,
-                                          item.index, item.id));
+    return input_error(where, "is of case {}, {}, not {}, {}", read->index, read->id, item.index,
+                       item.id);
   }
   return read;
 }

@@ -51,13 +51,12 @@ class JsonCases : public CaseFile {
       if (blank && (whole || !text)) {
         if (any_) return std::nullopt;
         const bool is_empty = lines_.line() == 0 || whole;
-        return input_error(lines_.path(), fmt::format("{}; JSON with cases is accepted",
-                                                      is_empty ? "is empty" : "holds no case"));
+        return input_error(lines_.path(), "{}; JSON with cases is accepted",
+                           is_empty ? "is empty" : "holds no case");
       }
       if (blank) {
         if (++blank_lines_ <= kMostBlankLines) continue;
-        return input_error(lines_.here(),
-                           fmt::format("is one of more than {} blank lines", kMostBlankLines));
+        return input_error(lines_.here(), "is one of more than {} blank lines", kMostBlankLines);
       }
       std::string_view json = *text;
       std::string of_many_lines;  // one case, as finds are kept

@@ -47,11 +47,10 @@ Result<void> RunWork::add(const NamedCase& named, std::uint64_t work) {
   const std::uint64_t by_size = std::min(spent.cases * kEachCase, spent.source.times(kEachByte));
   const std::uint64_t most = spent.most.value_or(kStart + by_size);
   if (spent.all <= most) return {};
-  return input_error(
-      named.id,
-      fmt::format("checking the cases up to this one takes more than {} operations on 64-bit "
-                  "words, the limit of a run; --max-work N sets another",
-                  most));
+  return input_error(named.id,
+                     "checking the cases up to this one takes more than {} operations on 64-bit "
+                     "words, the limit of a run; --max-work N sets another",
+                     most);
 }
 
 Result<CheckedCase> check_case(const NamedCase& named) {

@@ -221,7 +221,7 @@ Result<std::string> features_text(const NamedCase& named, const EngineWords& eng
       (query.separation > 0 && !engine.takes_separation())) {
     const char* why = is_of_bodies(query) ? "has no tests of bodies"
                                           : "has no tests of such shapes, motions or separations";
-    return input_error(named.id, fmt::format("{} {}", engine.engine, why));
+    return input_error(named.id, "{} {}", engine.engine, why);
   }
   const double step = step_of(query, engine);
   std::array<Points<double>, 2> points;  // at 0 and after the step
@@ -259,7 +259,7 @@ Result<std::string> features_text(const NamedCase& named, const EngineWords& eng
 Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engine) {
   const Query& query = named.value.query;
   const auto refused = [&](std::string_view why) {
-    return input_error(named.id, fmt::format("{} {}", engine.engine, why));
+    return input_error(named.id, "{} {}", engine.engine, why);
   };
   if (engine.has("plane") && !is_in_plane(query))
     return input_error(named.id, "is not in the plane z = 0");
@@ -278,8 +278,8 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
     const auto shape = engine.shape(*bodies[side]);
     if (!shape || query.separation > 0) {
       const size_t place = side == 0 ? first : 1 - first;
-      return input_error(fmt::format("{}: patches[{}]", named.id, place),
-                         fmt::format("{} has no such shape", engine.engine));
+      return input_error(fmt::format("{}: patches[{}]", named.id, place), "{} has no such shape",
+                         engine.engine);
     }
     shapes[side] = *shape;
     const std::map<std::string_view, std::string> names = {{"__NAME__", side == 0 ? "a" : "b"}};
@@ -343,11 +343,10 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name, T
   const EngineWords engine(*of_engine, has_mesh(value.query));
   const bool is_of_features = engine.has(kVertexFace);
   if (!is_of_features && !is_of_bodies(value.query)) {
-    return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
+    return input_error(named.id, "{} is asked about bodies", engine.engine);
   }
   if (!touches && engine.has("touches") && !engine.has("clear")) {
-    return input_error(
-        named.id, fmt::format("{} may be early, so a test of it needs a contact", engine.engine));
+    return input_error(named.id, "{} may be early, so a test of it needs a contact", engine.engine);
   }
   const Result<std::string> question =
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);

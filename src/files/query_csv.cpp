@@ -41,9 +41,9 @@ Result<void> check_denominator(const CsvQuery& query) {
         const size_t digits = mpz_sizeinbase(all.get_mpz_t(), 10);
         if (digits > kMostDenominatorDigits) {
           return input_error(query.id(),
-                             fmt::format("the numbers of this query have a common denominator of "
-                                         "more than {} digits, the most that is read",
-                                         kMostDenominatorDigits));
+                             "the numbers of this query have a common denominator of "
+                             "more than {} digits, the most that is read",
+                             kMostDenominatorDigits);
         }
       }
     }
@@ -60,8 +60,8 @@ Result<Integer> parse_integer(std::string_view text) {
                                (is_word ? "; a CSV of queries has no row of names" : ""));
   }
   if (digits.size() > kMaxRationalDigits) {
-    return input_error("", fmt::format("{} has {} digits; at most {} are read", shown_text(text),
-                                       digits.size(), kMaxRationalDigits));
+    return input_error("", "{} has {} digits; at most {} are read", shown_text(text), digits.size(),
+                       kMaxRationalDigits);
   }
   return Integer(std::string(text), 10);  // without the base, a leading 0 is octal
 }
@@ -143,8 +143,7 @@ Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& field
     for (size_t i = 0; i < 2; ++i) {
       const size_t column = 2 * k + i;
       const auto refuse = [&](const std::string& why) {
-        return input_error(lines_.here(),
-                           fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
+        return input_error(lines_.here(), "column {} ({}): {}", column + 1, kColumns[column], why);
       };
       auto number = parse_integer(fields[column]);
       if (!number) return refuse(number.error().what);
@@ -161,8 +160,8 @@ Result<Vec3<Rational>> CsvReader::point_of(const std::vector<std::string>& field
 Result<std::optional<bool>> CsvReader::label_of(const std::vector<std::string>& fields) const {
   if (fields.size() < kColumns.size()) return std::nullopt;
   if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
-  return input_error(lines_.here(), fmt::format("column 7 (truth): {} is neither 0 nor 1",
-                                                shown_text(fields.back())));
+  return input_error(lines_.here(), "column 7 (truth): {} is neither 0 nor 1",
+                     shown_text(fields.back()));
 }
 
 /// The fields of the next row; none at the end.
@@ -177,23 +176,21 @@ Result<std::vector<std::string>> CsvReader::next_row() {
     if (row.empty() || row.front() == '#') continue;
     std::vector<std::string> fields = fields_of(row);
     if (fields.size() == 6 || fields.size() == 7) return fields;
-    return input_error(
-        lines_.here(),
-        fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
+    return input_error(lines_.here(), "{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)",
+                       fields.size());
   }
 }
 
 /// Errors: the file may not end before this row of the rows of a query.
 Result<void> CsvReader::check_end(size_t row, size_t rows) const {
   if (row > 0) {
-    return input_error(lines_.here(),
-                       fmt::format("ends after row {} of the {} of its last {} query", row, rows,
-                                   name_of(layout_)));
+    return input_error(lines_.here(), "ends after row {} of the {} of its last {} query", row, rows,
+                       name_of(layout_));
   }
   if (given_ == 0) return input_error(lines_.path(), "holds no query");
   if (truths_ && truths_->size() != given_) {
-    return input_error(truths_path_, fmt::format("has {} truths, but {} has {} queries",
-                                                 truths_->size(), lines_.path(), given_));
+    return input_error(truths_path_, "has {} truths, but {} has {} queries", truths_->size(),
+                       lines_.path(), given_);
   }
   return {};
 }
@@ -229,12 +226,11 @@ Result<std::optional<CsvQuery>> CsvReader::next() {
   }
   if (truths_) {
     if (query.label) {
-      return input_error(truths_path_,
-                         fmt::format("has truths, but so has {} in its rows", lines_.path()));
+      return input_error(truths_path_, "has truths, but so has {} in its rows", lines_.path());
     }
     if (given_ >= truths_->size()) {
-      return input_error(truths_path_, fmt::format("has {} truths, but {} has more queries",
-                                                   truths_->size(), lines_.path()));
+      return input_error(truths_path_, "has {} truths, but {} has more queries", truths_->size(),
+                         lines_.path());
     }
     query.label = (*truths_)[given_];
   }

@@ -32,12 +32,11 @@ Result<double> as_double(const Rational& x, bool round, std::uint64_t& rounded,
   if (const auto exactly = to_double_exactly(x)) return *exactly;
   const double nearest = nearest_double(x);
   if (std::isinf(nearest)) {
-    return input_error(
-        where, fmt::format("{} {} is past the range of doubles", what, shortened(to_text(x))));
+    return input_error(where, "{} {} is past the range of doubles", what, shortened(to_text(x)));
   }
   if (!round) {
-    return input_error(where, fmt::format("{} {} is not a double; --round takes the nearest", what,
-                                          shortened(to_text(x))));
+    return input_error(where, "{} {} is not a double; --round takes the nearest", what,
+                       shortened(to_text(x)));
   }
   ++rounded;
   return nearest;

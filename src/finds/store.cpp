@@ -24,9 +24,10 @@ namespace {
 Result<void> check_name(const std::string& name) {
   const bool is_plain = name.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
   if (is_plain && !name.empty() && !name.starts_with('.')) return {};
-  return input_error("", fmt::format("\"{}\" is not a file name: it is empty, begins with '.' or "
-                                     "has a '/' or a zero byte in it",
-                                     name));
+  return input_error("",
+                     "\"{}\" is not a file name: it is empty, begins with '.' or "
+                     "has a '/' or a zero byte in it",
+                     name);
 }
 
 bool shows(const Case& value, const Failure& failure) {

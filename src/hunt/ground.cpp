@@ -252,13 +252,12 @@ std::string taken_text(const MethodInfo& info) {
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {
   const auto nothing = [&, asked = asked_text(ground)]() -> Result<HuntGround> {
     if (methods.size() > 1) {
-      return input_error("methods", fmt::format("no query is taken by all of {}: hunt them apart",
-                                                fmt::join(methods, ", ")));
+      return input_error("methods", "no query is taken by all of {}: hunt them apart",
+                         fmt::join(methods, ", "));
     }
     CCDFUZZ_TRY(const MethodInfo info, method_info(methods.front()));
-    return input_error(
-        "methods", fmt::format("{} takes no query of those that are asked for ({}): it takes {}",
-                               methods.front(), asked, taken_text(info)));
+    return input_error("methods", "{} takes no query of those that are asked for ({}): it takes {}",
+                       methods.front(), asked, taken_text(info));
   };
   bool take_bodies = true, take_patches = true, means_bodies = false;
   bool take_convex = true, take_meshes = !ground.uniform, take_one_sided = !ground.uniform;

@@ -132,8 +132,8 @@ Result<std::string> find_program(const char* name, const char* variable) {
   for (const std::string& place : places) {
     if (::access(place.c_str(), X_OK) == 0) return place;
   }
-  return input_error(name, fmt::format("the program is not there; looked for {}; {} may name it",
-                                       fmt::join(places, ", "), variable));
+  return input_error(name, "the program is not there; looked for {}; {} may name it",
+                     fmt::join(places, ", "), variable);
 }
 
 std::string this_program() {

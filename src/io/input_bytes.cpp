@@ -1,7 +1,6 @@
 #include "io/input_bytes.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -95,8 +94,7 @@ Result<std::string> InputBytes::read(size_t most) {
     ZSTD_inBuffer in = {packed_.data(), packed_.size(), at_};
     const size_t status = ZSTD_decompressStream(stream_.get(), &out, &in);
     if (ZSTD_isError(status) != 0) {
-      return input_error(path_,
-                         fmt::format("is not sound zstd data: {}", ZSTD_getErrorName(status)));
+      return input_error(path_, "is not sound zstd data: {}", ZSTD_getErrorName(status));
     }
     if (in.pos != at_ || out.pos != 0) inside_frame_ = status != 0;
     at_ = in.pos;

@@ -17,7 +17,7 @@ namespace ccdfuzz {
 namespace {
 
 tl::unexpected<InputError> refuse(const JsonValue& value, std::string_view why) {
-  return input_error("", fmt::format("{} {}", shown(value), why));
+  return input_error("", "{} {}", shown(value), why);
 }
 
 /// Takes the point out of digits, which are a whole number then. Returns how many stood behind it.

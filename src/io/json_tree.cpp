@@ -163,7 +163,7 @@ Result<JsonValue> parse_json(std::string_view text, const std::string& file) {
   }
   // The library takes a zero byte for the end of the text.
   if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    return input_error(file, fmt::format("byte {} is 0, which no JSON text has", zero + 1));
+    return input_error(file, "byte {} is 0, which no JSON text has", zero + 1);
   }
   return std::move(builder.root);
 }

@@ -36,7 +36,7 @@ Result<std::optional<std::string_view>> LineReader::next(bool whole) {
     }
     if (buffer_.size() - at_ > longest_) {
       return input_error(whole ? path_ : fmt::format("{}:{}", path_, line_ + 1),
-                         fmt::format("is longer than {} bytes", longest_));
+                         "is longer than {} bytes", longest_);
     }
     buffer_.erase(0, at_);
     at_ = 0;

@@ -129,8 +129,7 @@ void remove_unfinished_files() {
 }
 
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error) {
-  return input_error(path,
-                     fmt::format("cannot {}: {}", doing, std::generic_category().message(error)));
+  return input_error(path, "cannot {}: {}", doing, std::generic_category().message(error));
 }
 
 tl::unexpected<InputError> OutputFile::failed(const char* doing, int error) {

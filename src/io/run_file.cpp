@@ -81,7 +81,7 @@ Result<std::optional<std::string_view>> RunLines::next() {
   }
   const std::uint64_t item = shard.item(place);
   if (!(*line)->starts_with(fmt::format("{{\"index\":{},", item))) {
-    return input_error(where(), fmt::format("is not the line of item {}", item));
+    return input_error(where(), "is not the line of item {}", item);
   }
   return line;
 }
@@ -136,8 +136,7 @@ Result<void> RunFile::resume(const RunHeader& header) {
     other = fmt::format("--shard {} in place of {}", text_of(theirs.shard), text_of(header.shard));
   }
   if (other) {
-    return input_error(
-        path_, fmt::format("belongs to a run with {}; take the file away to begin anew", *other));
+    return input_error(path_, "belongs to a run with {}; take the file away to begin anew", *other);
   }
   for (;;) {
     CCDFUZZ_TRY(const auto line, lines->next());
@@ -177,21 +176,21 @@ Result<MergedRun> MergedRun::open(const std::vector<std::string>& paths) {
     const Shard shard = header.shard;
     if (shares.empty()) merged.header_ = header;
     if (const auto other = merged.header_.difference(header)) {
-      return input_error(path, fmt::format("is of another run than {}: {}", paths[0], *other));
+      return input_error(path, "is of another run than {}: {}", paths[0], *other);
     }
     if (shard.of != merged.header_.shard.of) {
-      return input_error(path, fmt::format("is one of {} shares, and {} of {}", shard.of, paths[0],
-                                           merged.header_.shard.of));
+      return input_error(path, "is one of {} shares, and {} of {}", shard.of, paths[0],
+                         merged.header_.shard.of);
     }
     if (!shares.emplace(shard.index, std::move(lines)).second) {
-      return input_error(path, fmt::format("share {} is there twice", text_of(shard)));
+      return input_error(path, "share {} is there twice", text_of(shard));
     }
   }
   const std::uint64_t of = std::exchange(merged.header_.shard, Shard()).of;
   for (std::uint64_t i = 0; i < of; ++i) {
     const auto share = shares.find(i);
     if (share == shares.end()) {
-      return input_error("input", fmt::format("share {} is missing", text_of({i, of})));
+      return input_error("input", "share {} is missing", text_of({i, of}));
     }
     merged.shares_.push_back(std::move(share->second));
   }

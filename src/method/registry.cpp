@@ -116,9 +116,8 @@ Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
   if (factor && *factor >= 0 && !text.starts_with('-')) {
     return PullApart(*factor, spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
   }
-  return input_error(
-      "method", fmt::format("\"{}\" needs a pull-apart factor ≥ 0, as in tdibm-h:1e-12{}",
-                            spec.spec, text.empty() || factor ? "" : "; " + factor.error().what));
+  return input_error("method", "\"{}\" needs a pull-apart factor ≥ 0, as in tdibm-h:1e-12{}",
+                     spec.spec, text.empty() || factor ? "" : "; " + factor.error().what);
 }
 
 /// A family of TdibmInclusion. policy_of: of a spec.
@@ -230,22 +229,20 @@ Result<Found> find_family(const std::string& text) {
                               : std::filesystem::is_regular_file(text, none) ? prefix + text
                               : lower != text && find_family(lower)          ? lower
                                                                              : "";
-    return input_error("method",
-                       fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "
-                                   "plugin-exec:PATH",
-                                   text,
-                                   meant.empty() ? did_you_mean(lower, specs)
-                                                 : fmt::format("; did you mean {}?", meant),
-                                   fmt::join(specs, ", ")));
+    return input_error(
+        "method",
+        "unknown method \"{}\"{}; known are {}, plugin:PATH, "
+        "plugin-exec:PATH",
+        text, meant.empty() ? did_you_mean(lower, specs) : fmt::format("; did you mean {}?", meant),
+        fmt::join(specs, ", "));
   }
   const std::vector<std::string>& known = found.family->info.switches;
   std::vector<std::string> left = known;
   for (const std::string& name_of_switch : found.spec.switches) {
     if (std::erase(left, name_of_switch) != 0) continue;
-    return input_error("method", fmt::format("\"{}\": {} takes {}", text, found.family->info.spec,
-                                             known.empty() ? "no @switches"
-                                                           : fmt::format("each once, @{}",
-                                                                         fmt::join(known, ", @"))));
+    return input_error(
+        "method", "\"{}\": {} takes {}", text, found.family->info.spec,
+        known.empty() ? "no @switches" : fmt::format("each once, @{}", fmt::join(known, ", @")));
   }
   return found;
 }

@@ -74,8 +74,8 @@ bool is_readable(const Rational& x) {
 Result<Rational> parse_rational(std::string_view text) {
   const auto refuse = [&] {
     constexpr size_t kShown = 60;
-    return input_error("", fmt::format("\"{}{}\" is not a rational \"p\" or \"p/q\" with q > 0",
-                                       text.substr(0, kShown), text.size() > kShown ? "…" : ""));
+    return input_error("", "\"{}{}\" is not a rational \"p\" or \"p/q\" with q > 0",
+                       text.substr(0, kShown), text.size() > kShown ? "…" : "");
   };
   const auto digits = [](std::string_view s) {
     return !s.empty() &&
@@ -87,9 +87,10 @@ Result<Rational> parse_rational(std::string_view text) {
   const std::string_view q = slash == std::string_view::npos ? "1" : text.substr(slash + 1);
   if (!digits(p) || !digits(q)) return refuse();
   if (const size_t longer = std::max(p.size(), q.size()); longer > kMaxRationalDigits) {
-    return input_error("", fmt::format("has a numerator or denominator of {} digits; at most {} "
-                                       "are read",
-                                       longer, kMaxRationalDigits));
+    return input_error("",
+                       "has a numerator or denominator of {} digits; at most {} "
+                       "are read",
+                       longer, kMaxRationalDigits);
   }
   Rational r;
   if (r.set_str(std::string(text), 10) != 0 || sgn(r.get_den()) == 0) return refuse();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "admitted.hpp"
+#include "base/verify.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/ask.hpp"

@@ -87,9 +87,8 @@ Result<MovedPoint> point_of(const MovingPatch<double>& hull, const Rational& t,
   if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", abbreviated(sum)));
   const auto moved = moved_point(hull, point, t, work);
   if (moved) return *moved;
-  return input_error(
-      fmt::format("{}.t", kWitness),
-      fmt::format("{}, at which the turned points are not rational", abbreviated(t)));
+  return input_error(fmt::format("{}.t", kWitness),
+                     "{}, at which the turned points are not rational", abbreviated(t));
 }
 
 /// The corners of a face, as points of a hull.
@@ -128,13 +127,11 @@ bool are_of_a_face(const MovingPatch<double>& body, const std::vector<Rational>&
 
 Result<void> check_contact_within(const Query& query, const Witness& witness, Work& work) {
   if (witness.t < 0) {
-    return input_error(fmt::format("{}.t", kWitness),
-                       fmt::format("{} is negative", abbreviated(witness.t)));
+    return input_error(fmt::format("{}.t", kWitness), "{} is negative", abbreviated(witness.t));
   }
   if (has_turns(query) && witness.t > 1) {
-    return input_error(
-        fmt::format("{}.t", kWitness),
-        fmt::format("{} is past 1, where {}", abbreviated(witness.t), end_of_motion(query)));
+    return input_error(fmt::format("{}.t", kWitness), "{} is past 1, where {}",
+                       abbreviated(witness.t), end_of_motion(query));
   }
   CCDFUZZ_TRY(const auto first, point_of(query.patches[0], witness.t, witness.weights[0], work));
   CCDFUZZ_TRY(const auto second, point_of(query.patches[1], witness.t, witness.weights[1], work));
@@ -163,8 +160,8 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
   }
   if (squared <= reach * reach) return {};
   return input_error(fmt::format("{}.weights", kWitness),
-                     fmt::format("the points are farther apart than {}: {} squared",
-                                 abbreviated(reach), abbreviated(squared)));
+                     "the points are farther apart than {}: {} squared", abbreviated(reach),
+                     abbreviated(squared));
 }
 
 /// Certificate K of the hulls of such points in place of the bodies'.

@@ -1,7 +1,5 @@
 #include "certify/checker/check_case.hpp"
 
-#include <fmt/format.h>
-
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_truth.hpp"
 
@@ -12,13 +10,12 @@ Result<void> check_absence(const Case& value) {
   if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
   const std::string until = abbreviated(until_of(*truth.clearance));
   if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
-    return input_error("truth.certificate.clear.until",
-                       fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
+    return input_error("truth.certificate.clear.until", "{} does not reach past t_max = {}", until,
+                       value.query.t_max);
   }
   if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
-    return input_error(
-        "truth.certificate.clear.until",
-        fmt::format("{} is before clear_until = {}", until, abbreviated(*truth.clear_until)));
+    return input_error("truth.certificate.clear.until", "{} is before clear_until = {}", until,
+                       abbreviated(*truth.clear_until));
   }
   return check_clearance(value.query, *truth.clearance);
 }

@@ -226,8 +226,8 @@ bool is_near_at_root(const Form& p, const LinearDirections& power, const LinearD
 
 Result<void> refuse_unless_linear(const Query& query, const char* where) {
   if (is_linear_query(query)) return {};
-  return input_error(where, fmt::format("{} and {} are not linear", to_text(query.patches[0].shape),
-                                        to_text(query.patches[1].shape)));
+  return input_error(where, "{} and {} are not linear", to_text(query.patches[0].shape),
+                     to_text(query.patches[1].shape));
 }
 
 constexpr const char* kClear = "truth.certificate.clear";
@@ -238,8 +238,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
   constexpr int kMostHalvings = 4000;
   CCDFUZZ_TRY_VOID(refuse_unless_linear(query, kClear));
   const Rational& until = clearance.until;
-  if (until < 0)
-    return input_error(kClear, fmt::format("until = {} is negative", abbreviated(until)));
+  if (until < 0) return input_error(kClear, "until = {} is negative", abbreviated(until));
   if (until == 0 && !clearance.closed) return {};  // there is no such time
   const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
     return {p, p + until * v};
@@ -252,7 +251,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
       forms.push_back(test.forms_of(triangle));
       // Halving would come near this contact without end.
       if (!clearance.closed || !test.is_contact(forms.back(), End::kStop)) continue;
-      return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
+      return input_error(kClear, "there is a contact at t = {}", abbreviated(until));
     }
     for (std::vector<Form>& of : forms) {
       const Found found = decide_outside(std::move(of), clearance.closed, kMostHalvings, test);
@@ -275,8 +274,8 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
   if (is_trimmed(query)) return input_error(kRoot, "does not show that the contact is in a trim");
   const Form& p = root.polynomial;
   if (root.from < 0 || root.by <= root.from) {
-    return input_error(kRoot, fmt::format("from = {} and by = {} are no times",
-                                          abbreviated(root.from), abbreviated(root.by)));
+    return input_error(kRoot, "from = {} and by = {} are no times", abbreviated(root.from),
+                       abbreviated(root.by));
   }
   if (p.empty() || p.back() == 0 || sign_of(p, root.from, work) * sign_of(p, root.by, work) >= 0) {
     return input_error(kRoot, "the polynomial does not change its sign from one end to the other");

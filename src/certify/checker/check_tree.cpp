@@ -326,8 +326,7 @@ class Walk {
 Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std::string_view tree,
                                  std::uint64_t most_work) {
   if (until < 0) {
-    return input_error("truth.certificate.clear.until",
-                       fmt::format("{} is negative", abbreviated(until)));
+    return input_error("truth.certificate.clear.until", "{} is negative", abbreviated(until));
   }
   constexpr const char* kWhere = "truth.certificate.clear.tree";
   try {

@@ -1,7 +1,5 @@
 #include "certify/checker/check_truth.hpp"
 
-#include <fmt/format.h>
-
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_box.hpp"
@@ -38,24 +36,21 @@ Result<void> check_truth(const Case& value) {
                             : truth.contact_root && truth.contact_root->by == by ? "contact root"
                                                                                  : "contact box";
   if (truth.collides == true && *by > exact(value.query.t_max)) {
-    return input_error(
-        "truth.collides",
-        fmt::format("true, but the contact is proven only by t = {} > t_max", abbreviated(*by)));
+    return input_error("truth.collides", "true, but the contact is proven only by t = {} > t_max",
+                       abbreviated(*by));
   }
   if (truth.collides == false && by && *by <= exact(value.query.t_max)) {
-    return input_error("truth.collides",
-                       fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof,
-                                   abbreviated(*by)));
+    return input_error("truth.collides", "false, but the {} proves a contact at t = {} ≤ t_max",
+                       proof, abbreviated(*by));
   }
   if (truth.clear_until) {
     const std::string until = abbreviated(*truth.clear_until);
     if (*truth.clear_until < 0) {
-      return input_error("truth.clear_until", fmt::format("{} is negative", until));
+      return input_error("truth.clear_until", "{} is negative", until);
     }
     if (by && *by < *truth.clear_until) {
-      return input_error("truth.clear_until",
-                         fmt::format("{}, but the {} proves a contact at t = {} before it", until,
-                                     proof, abbreviated(*by)));
+      return input_error("truth.clear_until", "{}, but the {} proves a contact at t = {} before it",
+                         until, proof, abbreviated(*by));
     }
   }
   return {};

@@ -252,7 +252,7 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
     const std::string why = !refuses       ? name + " " + when_described(description.error())
                             : note.empty() ? "refuses to start, and does not say why"
                                            : note;
-    return input_error("method", fmt::format("\"{}\": {}", text, why));
+    return input_error("method", "\"{}\": {}", text, why);
   }
   return std::make_shared<const KnownPlugin>(KnownPlugin{spec, *std::move(description), program});
 }
@@ -273,18 +273,18 @@ Result<void> admit_plugin(const std::string& spec) {
 
 Result<void> name_plugin(const std::string& name, const std::string& spec) {
   if (!names_plugin(spec)) {
-    return input_error("", fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
+    return input_error("", "\"{}\" is not plugin:PATH or plugin-exec:PATH", spec);
   }
   const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
     return c < 128 && (std::isalnum(c) != 0 || c == '-');
   });
   if (!is_name) {
-    return input_error("", fmt::format("\"{}\" is not a name of letters, digits and '-'", name));
+    return input_error("", "\"{}\" is not a name of letters, digits and '-'", name);
   }
   const std::string known_as = kPluginPrefix + name;
   const std::lock_guard lock(met.mutex);
   if (met.by_spec.contains(known_as)) {
-    return input_error("", fmt::format("\"{}\" stands for a plug-in already", known_as));
+    return input_error("", "\"{}\" stands for a plug-in already", known_as);
   }
   return start_and_ask(spec).map([&](const std::shared_ptr<const KnownPlugin>& started) {
     KnownPlugin named = *started;
@@ -317,7 +317,7 @@ bool is_admitted(const std::string& spec) {
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
   const std::lock_guard lock(met.mutex);
   if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
-  return input_error("method", fmt::format("\"{}\" is a plug-in that was not admitted", spec));
+  return input_error("method", "\"{}\" is a plug-in that was not admitted", spec);
 }
 
 MethodInfo plugin_info(const KnownPlugin& plugin) {

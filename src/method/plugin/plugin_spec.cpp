@@ -12,7 +12,7 @@ namespace ccdfuzz {
 namespace {
 
 tl::unexpected<InputError> bad_spec(const std::string& spec, const std::string& why) {
-  return input_error("method", fmt::format("\"{}\": {}", spec, why));
+  return input_error("method", "\"{}\": {}", spec, why);
 }
 
 /// Takes an option that is the host's own. False: it is the plug-in's. Errors: its value.
