@@ -145,33 +145,43 @@ void check_plane_beside(Draw& d) {
 }
 
 /// About a point within a body that spins is a ball, which the nearest of its faces' planes
-/// touches. At the start a point in that ball touches the body. None outside of it is seen to.
+/// touches. At the start a point in that ball touches the body. None outside of it is seen to. In
+/// the plane z = 0 it is a disc, and edges are in place of faces.
 void check_ball_within(Draw& d) {
+  const bool in_plane = d.coin();
+  const size_t count = in_plane ? 3 : 4;
+  const auto draw_place = [&] {
+    const Vec3<double> p = draw_point(d);
+    return in_plane ? Vec3<double>(p[0], p[1], 0) : p;
+  };
   Query query;
   auto& [body, other] = query.patches;
-  body = {Shape::hull(4), {}, {{0, 0, 0}}};
-  for (int i = 0; i < 4; ++i) body.positions.push_back(draw_point(d));
+  body = {Shape::hull(static_cast<int>(count)), {}, {{0, 0, 0}}};
+  for (size_t i = 0; i < count; ++i) body.positions.push_back(draw_place());
   body.turn = BodyTurn{{}, {}, {0, 0, 0}, draw_eighths(d, 3, 2)};
+  if (in_plane) body.turn->spin[0] = body.turn->spin[1] = 0;
   Witness witness{0, {}, {{{}, {Rational(1)}}}};
   std::vector<Rational>& weights = witness.weights[0];
   Rational rest = 1;
-  for (int i = 0; i < 3; ++i) rest -= weights.emplace_back(Rational(d.integer(1, 4)) / 16);
+  for (size_t i = 1; i < count; ++i) rest -= weights.emplace_back(Rational(d.integer(1, 4)) / 16);
   weights.push_back(rest);
   const Points<Rational> corners = exact_points<Rational>(body.positions);
   Vec3<Rational> inside = {0, 0, 0};
-  for (std::size_t i = 0; i < 4; ++i) inside += weights[i] * corners[i];
-  Vec3<double> place = draw_point(d) / 4;
+  for (size_t i = 0; i < count; ++i) inside += weights[i] * corners[i];
+  Vec3<double> place = draw_place() / 4;
   for (int k = 0; k < 3; ++k) place[k] += *to_double_exactly(inside[k]);
   other = {Shape::hull(1), {place}, {{0, 0, 0}}};
   show(d, "query", query);
   show(d, "weights", weights);
   std::optional<Rational> nearest;  // plane, its distance squared
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3<Rational>&a = corners[(i + 1) % 4], &b = corners[(i + 2) % 4];
+  for (size_t i = 0; i < count; ++i) {
+    const auto way = [&](size_t to) {
+      return Vec3<Rational>(corners[to % count] - corners[(i + 1) % count]);
+    };
     const Vec3<Rational> normal =
-        cross(Vec3<Rational>(b - a), Vec3<Rational>(corners[(i + 3) % 4] - a));
-    suppose(dot(normal, Vec3<Rational>(corners[i] - a)) != 0);
-    const Rational height = dot(normal, Vec3<Rational>(inside - a));
+        cross(way(i + 2), in_plane ? Vec3<Rational>(0, 0, 1) : way(i + 3));
+    suppose(dot(normal, way(i)) != 0);
+    const Rational height = dot(normal, Vec3<Rational>(inside - corners[(i + 1) % count]));
     const Rational squared = height * height / dot(normal, normal);
     nearest = nearest ? std::min(*nearest, squared) : squared;
   }
@@ -180,6 +190,33 @@ void check_ball_within(Draw& d) {
   const bool is_accepted = check_body_contact(query, witness).has_value();
   CLAIM(squared <= *nearest || !is_accepted);
   CLAIM(squared > *nearest * (1 - power_of_two(-20)) || is_accepted);
+}
+
+/// A point that turns by cosine and sine is found in its direction from the centre, which is exact,
+/// and no farther from the truth than it says: ways from the axis keep their length.
+void check_turned_point(Draw& d) {
+  const MovingPatch<double> point{Shape::hull(1), {draw_point(d)}, {{0, 0, 0}}};
+  Query query{{point, point}};
+  MovingPatch<double>& body = query.patches[0];
+  body.turn = BodyTurn{draw_eighths(d, 2, 2), draw_eighths(d, 2, 2), draw_point(d)};
+  suppose(!fault_of(*body.turn));
+  show(d, "query", query);
+  const Rational t = show(d, "t", Rational(d.integer(0, 64)) / 64);
+  Work work(kMostWork);
+  const auto found = moved_point(body, exact(body.positions[0]), t, work);
+  const auto flat = [](const Vec3<Rational>& v) { return Vec3<Rational>(v[0], v[1], 0); };
+  const Vec3<Rational> centre = exact(body.turn->centre);
+  const Vec3<Rational> way = flat(exact(body.positions[0]) - centre);
+  const Vec3<Rational> turned = flat(found.point - centre);
+  std::array<Rational, 2> q;
+  for (size_t i = 0; i < 2; ++i) {
+    q[i] = (1 - t) * exact(body.turn->from[i]) + t * exact(body.turn->to[i]);
+  }
+  const Vec3<Rational> along(q[0] * way[0] - q[1] * way[1], q[1] * way[0] + q[0] * way[1], 0);
+  CLAIM(cross(along, turned)[2] == 0 && dot(along, turned) >= 0);
+  CLAIM(found.point[2] == exact(body.positions[0][2]));
+  const Rational longest = root_above(dot(turned, turned)) + found.error;
+  CLAIM(dot(turned, turned) <= dot(way, way) && dot(way, way) <= longest * longest);
 }
 
 }  // namespace
@@ -201,8 +238,12 @@ std::vector<Property> turned_bodies_claims() {
        "src/certify/checker/check_turning.hpp", check_plane_beside},
       {"turning.ball_within",
        "A body that spins holds the ball about a point in it that its faces' planes touch, and no "
-       "larger one",
+       "larger one; in a plane it is the disc that its edges touch",
        "src/certify/checker/check_bodies.hpp", check_ball_within},
+      {"turning.point_enclosed",
+       "A point that turns by cosine and sine is known within the error that is said, where |q| is "
+       "not rational, too",
+       "src/certify/checker/check_turning.hpp", check_turned_point},
   };
 }
 

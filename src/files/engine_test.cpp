@@ -77,8 +77,7 @@ Vec3<Rational> touched_point(const Case& value, size_t side) {
     sum += witness.weights[side][i] * exact(body.positions[i]);
   }
   Work work(kMostWork);
-  const auto moved = moved_point(body, sum, witness.t, work);
-  return moved ? moved->point : sum;
+  return moved_point(body, sum, witness.t, work).point;
 }
 
 /// The place of the body that the test has first: a mesh is the second.

@@ -91,13 +91,16 @@ TEST_P(CheckTurning, ATimePastOneIsRefused) {
   EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.t_max = 1 + 0x1p-52; }));
 }
 
-TEST(CheckTurning, ATimeOfNoRationalPointsIsRefusedOfAnAngleAlone) {
+TEST(CheckTurning, ATimeOfNoRationalPointsNeedsRoomForThemOfAnAngleAlone) {
   for (const BodyTurn& turn : {kQuaternion, kAngle}) {
     Query query = rod_to_point(turn);
-    query.separation = 8;
     Witness witness = rod_witness();
     witness.t = Rational(1, 3);
+    query.patches[1] = query.patches[0];
+    witness.weights[1] = witness.weights[0];
     EXPECT_EQ(check_contact(query, witness).has_value(), turn.is_quaternion());
+    query.separation = 0x1p-130;
+    EXPECT_TRUE(check_contact(query, witness));
   }
 }
 
@@ -239,7 +242,7 @@ TEST(CheckSpin, WhatHasNotTurnedIsExactlyWhereItWas) {
   // A rotation by any other angle is rounded.
   query.patches[0].turn = spin_of(0x1p-1000, 0, 0);
   EXPECT_EQ(check_contact(query, witness).error().what,
-            "are not seen to touch: the error of a spin exceeds the reach and both radii inside");
+            "are not seen to touch: the error of a turn exceeds the reach and both radii inside");
 }
 
 /// A box and a point in it. The middle of the box, as its corners make it, has the ball of the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "case/scale.hpp"
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "numeric/products.hpp"
@@ -26,17 +27,18 @@ void charge_for(std::uint64_t operations, std::uint64_t words, Work& work) {
   work.charge(operations * fraction_work(words + kDoubles));
 }
 
-/// The radius of a ball about the point that the weights make, which is in the hull. The first four
-/// points of a weight > 0 that span a volume are the corners of a simplex. A way d from the point
-/// changes the weight of a corner by at most |d| over its height above the face that is opposite.
+/// The radius of a ball about the point that the weights make, which is in the hull; in the plane
+/// z = 0, of a disc. The first four points of a weight > 0 that span a volume (three, an area) are
+/// the corners of a simplex. A way d from the point changes the weight of a corner by at most |d|
+/// over its height above the face that is opposite.
 Rational radius_within(const MovingPatch<double>& hull, const std::vector<Rational>& weights,
-                       Work& work) {
+                       bool in_plane, Work& work) {
   constexpr std::uint64_t kOperations = 64;
-  constexpr size_t kCorners = 4;
+  const size_t count = in_plane ? 3 : 4;
   Points<Rational> corners;
   std::vector<Rational> of_corners;
   const auto way = [&](size_t to, size_t from) {
-    return Vec3<Rational>(corners[to % kCorners] - corners[from % kCorners]);
+    return Vec3<Rational>(corners[to % count] - corners[from % count]);
   };
   const auto is_spanned = [&] {
     if (corners.size() == 1) return true;
@@ -45,18 +47,19 @@ Rational radius_within(const MovingPatch<double>& hull, const std::vector<Ration
     if (corners.size() == 3) return normal != Vec3<Rational>(0, 0, 0);
     return normal.dot(way(3, 0)) != 0;
   };
-  for (size_t i = 0; i < weights.size() && corners.size() < kCorners; ++i) {
+  for (size_t i = 0; i < weights.size() && corners.size() < count; ++i) {
     if (weights[i] <= 0) continue;
     charge_for(kOperations, 0, work);
     corners.push_back(exact(hull.positions[i]));
     of_corners.push_back(weights[i]);
     if (!is_spanned()) corners.pop_back(), of_corners.pop_back();
   }
-  if (corners.size() < kCorners) return 0;
+  if (corners.size() < count) return 0;
+  const Vec3<Rational> up(0, 0, 1);
   Rational least_squared = -1;
-  for (size_t i = 0; i < kCorners; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     charge_for(kOperations, words_of(of_corners[i]), work);
-    const Vec3<Rational> normal = cross(way(i + 2, i + 1), way(i + 3, i + 1));
+    const Vec3<Rational> normal = cross(way(i + 2, i + 1), in_plane ? up : way(i + 3, i + 1));
     const Rational part = of_corners[i] * normal.dot(way(i, i + 1));
     const Rational squared = part * part / normal.dot(normal);
     if (least_squared < 0 || squared < least_squared) least_squared = squared;
@@ -85,10 +88,7 @@ Result<MovedPoint> point_of(const MovingPatch<double>& hull, const Rational& t,
     for (int k = 0; k < 3; ++k) point[k] += weights[i] * exact(hull.positions[i][k]);
   }
   if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", abbreviated(sum)));
-  const auto moved = moved_point(hull, point, t, work);
-  if (moved) return *moved;
-  return input_error(fmt::format("{}.t", kWitness),
-                     "{}, at which the turned points are not rational", abbreviated(t));
+  return moved_point(hull, point, t, work);
 }
 
 /// The corners of a face, as points of a hull.
@@ -147,15 +147,16 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
     squared += way * way;
   }
   Rational reach = reach_of(query);
-  if (has_spins(query)) {
+  if (has_turns(query)) {
     reach -= first.error + second.error;
+    const bool in_plane = is_in_plane(query);
     for (size_t s = 0; s < 2; ++s) {
-      reach += radius_within(query.patches[s], witness.weights[s], work);
+      reach += radius_within(query.patches[s], witness.weights[s], in_plane, work);
     }
   }
   if (reach < 0) {
     return input_error(fmt::format("{}.weights", kWitness),
-                       "are not seen to touch: the error of a spin exceeds the reach and both "
+                       "are not seen to touch: the error of a turn exceeds the reach and both "
                        "radii inside");
   }
   if (squared <= reach * reach) return {};

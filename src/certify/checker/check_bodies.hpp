@@ -15,9 +15,10 @@ namespace ccdfuzz {
 /// reach. Requires a valid query. Errors: what is wrong, naming
 /// the field; more than most_work.
 ///
-/// Where a body spins, its point is known but for an error, and the reach is less by that. But each
-/// hull holds a ball about its point (radius_within), and so the reach is longer by both radii. So
-/// hulls without a radius need a point inside of one of them.
+/// Where a body turns, its point may be known but for an error, and the reach is less by that. But
+/// each hull holds a ball about its point (radius_within), and so the reach is longer by both
+/// radii. So hulls without a radius need a point inside of one of them. Bodies in the plane z = 0
+/// stay there (is_in_plane), errors as well, so that a disc in it does for a ball.
 Result<void> check_body_contact(const Query& query, const Witness& witness,
                                 std::uint64_t most_work = kMostWork);
 

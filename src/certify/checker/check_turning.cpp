@@ -322,18 +322,17 @@ Result<void> check_planes_of_bodies(const Query& query, const BodyPlanes& cleara
 
 }  // namespace
 
-Rational root_above(const Rational& x, Work& work) {
-  constexpr unsigned long kBits = 64;
+Rational root_above(const Rational& x, Work& work, unsigned long bits) {
   work.charge(4 * product_work(x, x));
   // √(p/q) = √(p·q·4^k) / (q·2^k)
-  const Integer scaled = Integer(x.get_num() * x.get_den()) << (2 * kBits);
+  const Integer scaled = Integer(x.get_num() * x.get_den()) << (2 * bits);
   Integer root = sqrt(scaled);
   if (root * root < scaled) ++root;
-  return Rational(root) / Integer(x.get_den() << kBits);
+  return Rational(root) / Integer(x.get_den() << bits);
 }
 
-std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
-                                      const Rational& t, Work& work) {
+MovedPoint moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p, const Rational& t,
+                       Work& work) {
   Charged with(work);
   MovedPoint out;
   Numbers at{p[0], p[1], p[2]};
@@ -343,12 +342,12 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
     for (int k = 0; k < 3; ++k) way[k] = p[k] - exact(turn.centre[k]);
     Numbers q = with.between(turn.from, turn.to, t);
     Fraction scale = with.dot(q, q);
+    const Rational length = abs(way[0]) + abs(way[1]) + abs(way[2]);
     if (turn.is_spin()) {
       const auto spun = quaternion_of_spin(turn.spin, t, work);
       q.assign(spun.begin(), spun.end());
       scale = 1;
       // |q p q* − r p r*| ≤ |q − r|·(|q| + |r|)·|p|, and |p| ≤ |x| + |y| + |z|.
-      const Rational length = abs(way[0]) + abs(way[1]) + abs(way[2]);
       const Fraction error = spin_error();
       out.error = with.product(with.product(error, 2 + error), length).rational();
       // If w·t = 0, the quaternion is exactly 1.
@@ -365,8 +364,10 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
         at[row] = sum;
       }
     } else {
-      const Fraction root = root_above(scale.rational(), work);
-      if (root * root != scale) return std::nullopt;
+      constexpr unsigned long kRootBits = 140;
+      const Fraction root = root_above(scale.rational(), work, kRootBits);
+      // Where the root is too long by a part of it, all ways from the axis are too short by that.
+      if (root * root != scale) out.error = power_of_two(-long{kRootBits}) * length;
       scale = root;
       at = {with.product(q[0], way[0]) - with.product(q[1], way[1]),
             with.product(q[1], way[0]) + with.product(q[0], way[1]), with.product(scale, way[2])};

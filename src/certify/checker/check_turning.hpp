@@ -5,8 +5,8 @@
 
 namespace ccdfuzz {
 
-/// The root of x ≥ 0, rounded up by less than 2^-64 of what it is, or exact.
-Rational root_above(const Rational& x, Work& work);
+/// The root of x ≥ 0, rounded up by less than 2^-bits of what it is, or exact.
+Rational root_above(const Rational& x, Work& work, unsigned long bits = 64);
 
 /// A point that is known but for a small error.
 struct MovedPoint {
@@ -14,11 +14,11 @@ struct MovedPoint {
   Rational error = 0;  ///< it is no farther away than this
 };
 
-/// The point of a body at time t that stands at p before it turns and moves. Nothing where it is no
-/// rational point: a body that turns by cosine and sine needs a time at which |q(t)| is rational.
-/// That of a body that spins is enclosed.
-std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
-                                      const Rational& t, Work& work);
+/// The point of a body at time t that stands at p before it turns and moves. That of a body that
+/// spins is enclosed. So is that of one that turns by cosine and sine, where |q(t)| is no rational.
+/// A body that turns about an axis along z keeps its heights z exactly.
+MovedPoint moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p, const Rational& t,
+                       Work& work);
 
 /// Certificate N: checks that two bodies are farther apart than the reach (check_bodies.hpp) at
 /// every t in the closed [0, until]. Requires a valid query of bodies. Errors: what is wrong,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/time_limit.hpp"
+#include "case/scale.hpp"
 #include "ccd/nearest_points.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
@@ -22,12 +23,12 @@ constexpr std::uint64_t kMostTries = 400;
 /// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 40 bits
 /// beyond those of the bracket.
 constexpr int kPointBits = 80;
-/// Where one spins, so much is left for a point to be inside of a hull: a body is made smaller by
-/// this part of itself.
+/// Where points are not rational, so much is left for one to be inside of a hull: a body is made
+/// smaller by this part of itself.
 constexpr int kInsideBits = 80;
 
-/// Whether not all points of a hull are in one plane.
-bool has_volume(const MovingPatch<double>& hull) {
+/// Whether not all points of a hull are in one plane, or in the plane z = 0 on one line.
+bool has_inside(const MovingPatch<double>& hull, bool in_plane) {
   const Vec3<Rational> zero(0, 0, 0);
   Vec3<Rational> side = zero, normal = zero;  // both of the first points that span so much
   for (const Vec3<double>& p : hull.positions) {
@@ -39,11 +40,11 @@ bool has_volume(const MovingPatch<double>& hull) {
       normal = cross(side, way);
     }
   }
-  return false;
+  return in_plane && normal != zero;
 }
 
 bool turns_by_angle(const MovingPatch<double>& body) {
-  return body.turn && !body.turn->is_quaternion();
+  return body.turn && body.turn->from.size() == 2;
 }
 
 class DecidingTurning {
@@ -56,8 +57,8 @@ class DecidingTurning {
       reach_ += exact(body.radius);
       for_each_coordinate(body, [&](double x) { size += abs(exact(x)); });
     }
-    const int bits = has_spins(query) ? kPointBits + kInsideBits / 2 : kPointBits;
-    unit_ = power_below(size) * power_of_two(-bits);
+    fine_unit_ = power_below(size) * power_of_two(-kPointBits - kInsideBits / 2);
+    unit_ = has_spins(query) ? fine_unit_ : Rational(fine_unit_ * power_of_two(kInsideBits / 2));
     const auto& known = options.known;
     if (known && known->t <= t_max_) late_ = known->t, witness_ = known;
   }
@@ -87,8 +88,8 @@ class DecidingTurning {
   };
 
   /// In units.
-  std::array<Points<Integer>, 2> rounded_points(const Rational& t) const {
-    const auto of = [&](size_t side) { return points_at(query_.patches[side], t).in_units(unit_); };
+  std::array<Points<Integer>, 2> rounded_points(const Rational& t, const Rational& unit) const {
+    const auto of = [&](size_t side) { return points_at(query_.patches[side], t).in_units(unit); };
     return {of(0), of(1)};
   }
 
@@ -96,7 +97,7 @@ class DecidingTurning {
     ++out_.pops;
     TimeLimit::stop_if_late();
     Sight out{t, {}, {}};
-    const std::array<Points<Integer>, 2> points = rounded_points(t);
+    const std::array<Points<Integer>, 2> points = rounded_points(t, unit_);
     NearestPoints nearest;
     const NearestPoints::Found& found = nearest(points);
     const Rational reach = reach_ / unit_;
@@ -132,7 +133,7 @@ class DecidingTurning {
   /// Along the direction that may keep them apart.
   Sight seen_along(const Rational& t) const {
     Sight out{t, {}, {}};
-    look_along(*options_.apart_along, rounded_points(t), out);
+    look_along(*options_.apart_along, rounded_points(t, unit_), out);
     return out;
   }
 
@@ -200,28 +201,47 @@ class DecidingTurning {
     out_.note = "no plane between the bodies was found for some of the time; they may just touch";
   }
 
-  /// A time near to t at which the points of a body that turns by cosine and sine are rational.
-  static Rational rational_time(const BodyTurn& turn, const Rational& t) {
+  /// A time near to t at which the points of a body that turns by cosine and sine are rational: the
+  /// last one before it, or the next, of those that are tried.
+  static Rational rational_time(const BodyTurn& turn, const Rational& t, int ulps) {
     std::array<Rational, 2> from, to, q;
     for (size_t i = 0; i < 2; ++i) {
       from[i] = exact(turn.from[i]);
       to[i] = exact(turn.to[i]);
       q[i] = (1 - t) * from[i] + t * to[i];
     }
-    // q, or −q, is along (1 − k², 2k), k the tangent of half of its angle, where k is rational.
-    const Rational length = root_above(q[0] * q[0] + q[1] * q[1]);
+    const Rational turned = abs(Rational(from[0] * to[1] - from[1] * to[0]));
+    if (turned == 0 || t == 0) return t;
+    const auto squared = [](const auto& v) { return Rational(v[0] * v[0] + v[1] * v[1]); };
+    // q, or −q, is along (1 − k², 2k), k the tangent of half of its angle, where k is rational. It
+    // changes at least at half of the least rate of the angle: |from × to| over the largest |q|².
+    const Rational rate = turned / std::max(squared(from), squared(to));
+    const Rational unit = power_below(rate) * power_below(t) * power_of_two(-kBracketBits - 8);
+    const Rational length = root_above(squared(q));
     Rational k = q[0] < 0 ? Rational(-q[1] / (length - q[0])) : Rational(q[1] / (length + q[0]));
-    k = rounded_down(k, power_of_two(-kBracketBits - 8));
+    k = rounded_down(k, unit) + ulps * unit;
     const Rational cosine = 1 - k * k, sine = 2 * k;
     const Rational before = from[0] * sine - from[1] * cosine;
     const Rational after = to[0] * sine - to[1] * cosine;
     return before == after ? t : Rational(before / (before - after));
   }
 
-  /// Proof that bodies of which one spins are in contact: of their nearest points, or, where hulls
-  /// overlap, of a point inside of one of them.
-  std::optional<Witness> witness_of_spin(const Rational& t) const {
-    const std::array<Points<Integer>, 2> in_units = rounded_points(t);
+  /// Proof of contact at a time at which all points are rational.
+  std::optional<Witness> exact_witness(const Rational& t) const {
+    if (t < 0 || t > t_max_) return std::nullopt;
+    const PointsAt first = points_at(query_.patches[0], t),
+                   second = points_at(query_.patches[1], t);
+    if (!first.are_exact || !second.are_exact) return std::nullopt;
+    NearestPoints nearest;
+    const NearestPoints::Found& found = nearest(first.rational(), second.rational());
+    if (found.squared > reach_ * reach_) return std::nullopt;
+    return Witness{t, {}, found.weights};
+  }
+
+  /// Proof of contact at any time: of the nearest points, or, where hulls overlap, of a point
+  /// inside of one of them.
+  std::optional<Witness> inside_witness(const Rational& t) const {
+    const std::array<Points<Integer>, 2> in_units = rounded_points(t, fine_unit_);
     std::array<Points<Rational>, 2> points;
     for (const size_t s : {size_t{0}, size_t{1}}) {
       for (const Vec3<Integer>& p : in_units[s]) points[s].push_back(p.cast<Rational>());
@@ -248,48 +268,38 @@ class DecidingTurning {
     return std::nullopt;
   }
 
-  void say_contact_of_spin(const Rational& t) {
-    if (!witness_) witness_ = witness_of_spin(t);
-    // It may be deep enough only a little later.
-    const Rational later = std::min(t_max_, Rational(t + t * power_of_two(-kBracketBits)));
-    if (!witness_) witness_ = witness_of_spin(later);
-    out_.truth.witness = witness_;
-    const bool is_provable = reach_ > 0 || std::ranges::any_of(query_.patches, has_volume);
-    if (!witness_) {
-      out_.note =
-          is_provable
-              ? "the bodies are not seen to overlap by more than rounding"
-              : "an overlap where one spins is proven only of bodies with a volume or a radius";
+  std::optional<Witness> witness_near(const Rational& t) const {
+    if (const auto witness = exact_witness(t)) return witness;
+    for (const MovingPatch<double>& body : query_.patches) {
+      for (const int ulps : {0, 1}) {
+        if (!turns_by_angle(body)) continue;
+        if (const auto witness = exact_witness(rational_time(*body.turn, t, ulps))) return witness;
+      }
     }
+    if (const auto witness = inside_witness(t)) return witness;
+    // It may be deep enough only a little later.
+    return inside_witness(std::min(t_max_, Rational(t + t * power_of_two(-kBracketBits))));
   }
 
-  void say_contact(Rational t) {
-    if (has_spins(query_)) return say_contact_of_spin(t);
-    for (const MovingPatch<double>& body : query_.patches) {
-      if (!witness_ && turns_by_angle(body)) t = rational_time(*body.turn, t);
-    }
-    if (!witness_) {
-      const PointsAt first = points_at(query_.patches[0], t),
-                     second = points_at(query_.patches[1], t);
-      NearestPoints nearest;
-      const NearestPoints::Found& found = nearest(first.rational(), second.rational());
-      const bool is_proven = first.are_exact && second.are_exact && 0 <= t && t <= t_max_ &&
-                             found.squared <= reach_ * reach_;
-      if (is_proven) witness_ = Witness{t, {}, found.weights};
-    }
+  void say_contact(const Rational& t) {
+    if (!witness_) witness_ = witness_near(t);
     out_.truth.witness = witness_;
-    if (!witness_) {
-      const bool are_both = std::ranges::all_of(query_.patches, turns_by_angle);
-      out_.note = are_both ? "both turn by cosine and sine, and the points of both are rational at "
-                             "no time of contact that is known"
-                           : "the bodies touch by a time at which their points are not rational";
-    }
+    if (witness_) return;
+    const bool in_plane = is_in_plane(query_);
+    const bool is_provable =
+        reach_ > 0 || std::ranges::any_of(query_.patches, [&](const MovingPatch<double>& body) {
+          return has_inside(body, in_plane);
+        });
+    out_.note = is_provable ? "the bodies are not seen to overlap by more than rounding"
+                            : "at times at which turned points are not rational, an overlap is "
+                              "proven only of bodies with a volume, an area in z = 0 or a radius";
   }
 
   const Query& query_;
   const OracleOptions& options_;
   const Rational t_max_;
   Rational reach_, unit_;
+  Rational fine_unit_;            ///< of points that are to be inside of a hull
   BodyPlanes planes_;             ///< each was accepted by the checker
   std::uint64_t spent_ = 0;       ///< what it takes to check them all
   std::optional<Rational> late_;  ///< at this time they seem to be in contact
