@@ -192,8 +192,8 @@ void check_ball_within(Draw& d) {
   CLAIM(squared > *nearest * (1 - power_of_two(-20)) || is_accepted);
 }
 
-/// A point that turns by cosine and sine is found in its direction from the centre, which is exact,
-/// and no farther from the truth than it says: ways from the axis keep their length.
+/// A point that turns by cosine and sine is found in its direction from the centre, which is exact.
+/// It is no farther from the truth than it says, as ways from the axis keep their length.
 void check_turned_point(Draw& d) {
   const MovingPatch<double> point{Shape::hull(1), {draw_point(d)}, {{0, 0, 0}}};
   Query query{{point, point}};

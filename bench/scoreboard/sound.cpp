@@ -4,6 +4,7 @@
 
 #include "case/judge.hpp"
 #include "case/scale.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"

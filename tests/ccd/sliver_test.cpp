@@ -6,6 +6,7 @@
 #include "ccd/tdibm.hpp"
 #include "generators/draw/draw.hpp"
 #include "numeric/effort.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "numeric/dyadic.hpp"
+
 namespace ccdfuzz {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "case/judge.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "eval/horizons.hpp"
