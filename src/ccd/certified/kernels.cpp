@@ -146,7 +146,8 @@ template <bool kRational>
   CCDFUZZ_ASSERT(a.of.window.lo <= a.of.window.hi);
   CCDFUZZ_ASSERT(std::max(a.of.roundings, b.of.roundings) <= basis.roundings);
   for (size_t i = 0; i < kLanes; ++i) {
-    const double most = basis.magnitude * basis.norms[i] * (1 + 0x1p-20);
+    // Products of the least doubles are rounded up to one.
+    const double most = basis.magnitude * basis.norms[i] * (1 + 0x1p-20) + kLeastAbsolute;
     for (const RangeBatch* r : {&a, &b}) {
       for (const double x : {r->min_lo[i], r->max_lo[i], r->min_hi[i], r->max_hi[i]}) {
         CCDFUZZ_ASSERT(std::abs(x) <= most);

@@ -11,7 +11,7 @@ struct LinearContact {
   enum class Kind : std::uint8_t {
     kNone,     ///< they touch at no t in [0, t_max]
     kProven,   ///< they touch, first at `toi` or soon after (Law L8)
-    kOpen,     ///< not decided: roots that 2^-512·t_max does not part (Laws L3 and L5)
+    kOpen,     ///< not decided: roots of two polynomials that 2^-1900·t_max does not part (Law L5)
     kTooWide,  ///< not decided, and nothing is known: numbers of too many binary places (Law L7)
   };
   Kind kind = Kind::kTooWide;

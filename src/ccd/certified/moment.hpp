@@ -7,8 +7,9 @@
 
 namespace ccdfuzz::certified {
 
-/// Parts of the time step are halved so often at most.
-inline constexpr int kMostLevels = 512;
+/// Parts of the time step are halved so often at most. No two roots of a determinant are so near to
+/// each other (Law L3), and integers on such parts fit (Law L6).
+inline constexpr int kMostLevels = 1900;
 
 /// A time, exactly: a ratio, or the only root of a polynomial in an open part.
 class Moment {

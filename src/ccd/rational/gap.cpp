@@ -32,17 +32,17 @@ void normalise(const Points<double>& points, const Vec3<double>& origin, int shi
 //  2. Sub-patch. Each blossom step is a combination with exact non-negative weights of sum 1. For a
 //     triangle it is of three products summed from the left (gamma_3), else of two (gamma_2). Each
 //     average rounds once; halving is exact unless it underflows. gamma_K in all, with K =
-//     CellPointsCache::roundings ≤ 64. Products and halves may underflow, ≤ eta/2 each: with s ≤ 16
-//     steps ≤ (1.5 + 0.5)·s·eta.
+//     CellPointsCache::roundings ≤ 101: of a rational tensor of degree 8 with ends. Products and
+//     halves may underflow, ≤ eta/2 each: with s ≤ 16 steps ≤ (1.5 + 0.5)·s·eta.
 //  3. Projection, three products summed: gamma_3·|l|_1·M + 1.5·eta.
 //  4. Line at t: gamma_2 + eta/2.
 //  5. The difference of two extremes, each of magnitude ≤ |l|_1·M·(1 + gamma): u of each.
 // Both extremes together: 2·gamma_{K+7}·|l|_1·M, plus underflow of at most 2·|l|_1·2·(1 + 2·16) eta
 // + 2·(2·1.5 + 0.5) eta < 140·|l|_1·eta (steps 1 and 2 for positions and velocities; |l|_1 ≥ 1). K
-// + 8 in place of gamma's K + 7 exceeds it by the factor 1 + 1/71. That covers 1/(1 − 71u) and the
-// three roundings of the bound itself. Where 2·(K+8)·u·M would itself underflow, it is less than
-// eta, and 256 eta in place of 140 eta covers it. A rational patch has weights of [2^-60, 2), and K
-// is that of numerator and weight and 2 more. The product w·p rounds once. All weights are
+// + 8 in place of gamma's K + 7 exceeds it by the factor 1 + 1/108. That covers 1/(1 − 108u) and
+// the three roundings of the bound itself. Where 2·(K+8)·u·M would itself underflow, it is less
+// than eta, and 256 eta in place of 140 eta covers it. A rational patch has weights of [2^-60, 2),
+// and K is that of numerator and weight and 2 more. The product w·p rounds once. All weights are
 // positive, so gamma_K of the new weight is relative. The quotient rounds once. What underflows is
 // divided by a weight: 2^60 times as much.
 void Gap::begin(const Query& query) {

@@ -13,7 +13,8 @@ namespace ccdfuzz {
 /// in t, so t' nears the first contact from below, quadratically, and is the first contact where
 /// only touching is asked. Else w changes linearly while the nearest features stay the same, and a
 /// rational time at which it is as long as the reach is tried. So the witness is at clear_until
-/// where that time is rational; where it is not, it comes at most 2^-40 of it later.
+/// where that time is rational. Where it is not, or the bodies graze, it comes at most 2^-40 of it
+/// later.
 ///
 /// For a mesh it is the least over the faces that are there, and certificate F.
 Decision decide_bodies(const Query& query, const OracleOptions& options);

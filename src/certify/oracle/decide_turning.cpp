@@ -201,8 +201,8 @@ class DecidingTurning {
     out_.note = "no plane between the bodies was found for some of the time; they may just touch";
   }
 
-  /// A time near to t at which the points of a body that turns by cosine and sine are rational. Of
-  /// those of a grid, with ulps = 0 it is the last one before t, else the next.
+  /// A time near to t at which the points of a body that turns by cosine and sine are rational.
+  /// It is the last one of a grid before t (ulps = 0), or the next.
   static Rational rational_time(const BodyTurn& turn, const Rational& t, int ulps) {
     std::array<Rational, 2> from, to, q;
     for (size_t i = 0; i < 2; ++i) {
