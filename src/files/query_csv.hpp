@@ -95,9 +95,10 @@ class CsvReader {
 };
 
 /// The query in doubles, t_max = 1. Positions are the start points. The patches have velocities, if
-/// all ways to the end points are doubles, and otherwise ends. A number of the file that is no
-/// double is refused, or with `round` becomes the nearest one and is counted in `rounded`. Errors,
-/// naming file, row, column and value: such a number; one past the range of doubles in any case.
+/// all ways to the end points are doubles, and floats where all points are. Otherwise they have
+/// ends. A number of the file that is no double is refused, or with `round` becomes the nearest one
+/// and is counted in `rounded`. Errors, naming file, row, column and value: such a number; one past
+/// the range of doubles in any case.
 Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded);
 
 /// The query (to_query) as a case without a truth, with velocities if ways are to be rounded. What

@@ -5,6 +5,7 @@
 
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
+#include "case/scale.hpp"
 #include "files/query_csv.hpp"
 
 namespace ccdfuzz {
@@ -87,7 +88,9 @@ Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded)
     }
   }
   query.t_max = 1;
-  return with_velocities(query).value_or(query);
+  const auto moving = with_velocities(query);
+  // A query of floats stays one: velocities may take more digits than ends.
+  return moving && (!is_binary32(query) || is_binary32(*moving)) ? *moving : query;
 }
 
 Result<Case> to_case(const CsvQuery& from, const CsvOptions& options, std::uint64_t index) {

@@ -77,7 +77,7 @@ class Minimiser {
       const auto witnessed = is_decided ? contact_of(found_) : near_contact_of(found_);
       keeps_witness_ = witnessed.has_value();
       if (witnessed) best_ = *witnessed;
-      if (!witnessed && !is_decided) return false;
+      if (!witnessed && !is_decided && !found_.truth.contact_box) return false;
     }
     if (is_of_bodies(found_.query) && failure_ != Outcome::kError) {
       const std::optional<Case> decided = case_of_bodies(found_.query);
@@ -106,6 +106,8 @@ class Minimiser {
       value = *made;
     } else if (is_decided_linearly(query)) {
       value.truth = decide_linear(query, {}).truth;
+    } else if (is_false_negative(failure_)) {
+      value.truth = decide(query, {.max_pops = kEnoughPops, .max_tree_nodes = kEnoughPops}).truth;
     } else if (const auto* plane = clearance_of<MovingPlane>(best_case_.truth);
                plane && query.t_max > 0) {
       // As far past t_max as before.

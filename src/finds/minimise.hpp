@@ -28,7 +28,8 @@ struct Minimised {
 ///   missed, late    a dyadic witness, at which check_witness finds the patches in contact. It is
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was. Without one, linear patches that are decided to touch, inside
-///                   or where the witness of `found` is; they may lose their separation
+///                   or where the witness of `found` is; they may lose their separation. Or others
+///                   that the oracle proves to touch, where `found` has a contact box
 ///   false_positive  nothing touches in [0, t_max], by certificate L of linear patches, else by a
 ///                   plane (certificate P), which `found` must have then
 ///   error           nothing; the result has no truth

@@ -6,6 +6,7 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "hunt/draw.hpp"
+#include "method/method.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
