@@ -70,6 +70,9 @@ Result<void> validate(const GeneratorOptions& options) {
         name_of(options.contact), name_of(options.family),
         is_hit_later ? ": past the near miss the body hits the mesh, as in mesh" : "");
   }
+  if (options.plane && !is_of_bodies(options.family)) {
+    return input_error("plane", "the family {} is not of bodies", name_of(options.family));
+  }
   if (is_shaped(options)) return validate_shaped(options);
   if (options.plane && is_of_a_mesh(options.family)) {
     return input_error("plane", "there are no meshes in a plane");

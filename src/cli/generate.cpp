@@ -225,6 +225,9 @@ void add_generate(CommandLine& line) {
     families += fmt::format("\n{}: {}", name_of(f), description_of(f));
   }
   const Option family = command.choice("--family FAMILY", options->generator.family, families);
+  const Option plane =
+      command.flag("--plane", options->generator.plane,
+                   "Bodies that lie and move in the plane z = 0, and turn by cosine and sine");
   const Option eps_t = command.parsed(
       "--eps-t 2^-N", options->generator.eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
@@ -236,7 +239,8 @@ void add_generate(CommandLine& line) {
                               "goes on where it was");
   Option part = command.whole("--one-in", options->one_in, "Only one in N cases of each class", 1);
   part.needs(paper);
-  for (const Option& other : {contact, kind, construction, shape, family, count, first, eps_t}) {
+  for (const Option& other :
+       {contact, kind, construction, shape, family, plane, count, first, eps_t}) {
     paper.excludes(other);
   }
   command.group("Results");

@@ -183,7 +183,7 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
   options.family = family;
   options.shapes = shapes;
   options.bodies = ground_.body_kinds;
-  options.plane = ground_.plane;
+  options.plane = ground_.plane && is_of_bodies(family);
   options.most_spin = ground_.most_spin.value_or(kFastestSpin);
   options.binary64 = !ground_.binary32;
   options.at_start = !ground_.ordinary;
