@@ -14,6 +14,7 @@
 #include "generators/finalize.hpp"
 #include "generators/just_missing.hpp"
 #include "generators/shaped/families.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -36,12 +37,14 @@ Vec3<double> draw_axis(bool in_plane, double most, Draw& draw) {
 }
 
 /// A turn about an axis that is the identity at `t`, and whose two ends have lengths of about 1.
-/// The axis is shorter than 1: then from·to > 0.
+/// The axis is shorter than 1: then from·to > 0. Numbers are of few bits, so that sums of four are
+/// floats.
 BodyTurn turn_about(const Vec3<double>& axis, const Vec3<double>& centre, double t, bool in_plane) {
+  constexpr double kUnits = 1 << 20;
   BodyTurn turn{{}, {}, centre};
   for (const auto& [numbers, share] : {std::pair(&turn.from, -t), std::pair(&turn.to, 1 - t)}) {
     const Vec3<double> part = share * axis;
-    const auto rest = nearest_float(std::sqrt(1 - part.squaredNorm()));
+    const double rest = std::round(std::sqrt(1 - part.squaredNorm()) * kUnits) / kUnits;
     *numbers = in_plane ? std::vector{rest, part[2]} : std::vector{rest, part[0], part[1], part[2]};
   }
   return turn;
@@ -80,6 +83,39 @@ void turn_along_plane(Case& made, size_t side, double t, bool spins, Draw& draw)
   for (int k = 0; k < 3; ++k) body.turn->centre[k] = to_double_exactly(touched[k]).value();
 }
 
+/// First the inverse of b, of length 1, and then a: the product a·b* of quaternions or complex
+/// numbers.
+std::vector<double> after_inverse(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() == 2) return {a[0] * b[0] + a[1] * b[1], a[1] * b[0] - a[0] * b[1]};
+  const Vec3<double> u(a[1], a[2], a[3]), v(b[1], b[2], b[3]);
+  const Vec3<double> w = b[0] * u - a[0] * v - cross(u, v);
+  return {a[0] * b[0] + dot(u, v), w[0], w[1], w[2]};
+}
+
+/// Rotates the points of a body, and back before its turn. So at each time it is where it was, and
+/// mostly its turn is nowhere the identity. It is by 0 to 3 right angles in the plane, and else by
+/// one of the 12 rotations of a tetrahedron. Nothing changes if a number were no float.
+void rotate_before(Query& query, size_t side, Draw& draw) {
+  Query made = query;
+  MovingPatch<double>& body = made.patches[side];
+  if (!body.turn || body.turn->is_spin()) return;
+  BodyTurn& turn = *body.turn;
+  const size_t count = turn.from.size(), which = draw.below(count == 2 ? 4 : 12);
+  std::vector<double> first(count, 0.0);
+  first[which % count] = which < count ? 1 : -1;
+  for (size_t i = 0; which >= 4 && i < count; ++i)
+    first[i] = ((which - 4) >> i & 1U) == 0 ? 0.5 : -0.5;
+  MovingPatch<double> still{body.shape, body.positions, {{0, 0, 0}}};
+  still.turn = BodyTurn{first, first, turn.centre};
+  const Points<Rational> places = points_at(still, 0).rational();
+  for (size_t i = 0; i < places.size(); ++i) {
+    for (int k = 0; k < 3; ++k) body.positions[i][k] = to_double_exactly(places[i][k]).value();
+  }
+  turn.from = after_inverse(turn.from, first);
+  turn.to = after_inverse(turn.to, first);
+  if (is_binary32(made)) query = std::move(made);
+}
+
 /// Bodies that do not turn and touch at t* < 1, until a time after that. Then change(case, side, t)
 /// of one of them, or of both.
 template <class Change>
@@ -102,25 +138,6 @@ Attempted bodies_before_one(const GeneratorOptions& options, Draw& draw, const C
   return made;
 }
 
-}  // namespace
-
-void spin_back(MovingPatch<double>& body, double t, bool in_plane, double most, Draw& draw) {
-  const double longest = std::min(most, 1.0);
-  const Vec3<double> axis = draw_axis(in_plane, longest * longest, draw);
-  constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0, kFastestSpin};
-  const auto count = std::ranges::upper_bound(kSpeeds, std::max(most, 1.0)) - kSpeeds.begin();
-  const Vec3<double> w = kSpeeds.at(draw.below(static_cast<std::uint64_t>(count))) * axis;
-  MovingPatch<double> back = body;
-  back.velocities[0] = {0, 0, 0};
-  const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
-  back.turn = BodyTurn{{}, {}, centre, {-w[0], -w[1], -w[2]}};
-  body.turn = BodyTurn{{}, {}, centre, {w[0], w[1], w[2]}};
-  const Points<Rational> before = points_at(back, exact(t)).rational();
-  for (size_t i = 0; i < before.size(); ++i) {
-    for (int k = 0; k < 3; ++k) body.positions[i][k] = nearest_float(before[i][k].get_d());
-  }
-}
-
 /// Two bodies of which one turns, or both. They touch as those of framed_bodies do. At t* < 1 a
 /// turn is the identity, so that the contact is planted there whatever turns. `from` is −t*·d
 /// beside a number that makes its length about 1, and `to` is (1 − t*)·d so. All numbers are
@@ -133,7 +150,7 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, double most, 
 /// about the point that touches. What touches is a vertex and a vertex or an edge, for else the
 /// contact would begin before t*, at no rational time. NMN: they are moved apart by a step
 /// (just_missing.hpp).
-Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
+Attempted identical_at_contact(const GeneratorOptions& options, Draw& draw) {
   const auto change = [&](Case& made, size_t side, double t) {
     const bool spins = options.family == Family::kSpinningGrazing;
     if (is_grazing(options.family)) return turn_along_plane(made, side, t, spins, draw);
@@ -161,6 +178,33 @@ Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
   say_clear(out, round_down(witness.t) - *eps_t(options).to_double_exactly());
   CCDFUZZ_VERIFY(covers(*out.truth.clearance, exact(query.t_max)));
   return out;
+}
+
+}  // namespace
+
+void spin_back(MovingPatch<double>& body, double t, bool in_plane, double most, Draw& draw) {
+  const double longest = std::min(most, 1.0);
+  const Vec3<double> axis = draw_axis(in_plane, longest * longest, draw);
+  constexpr std::array kSpeeds = {0.25, 0.5, 1.0, 2.0, 3.0, kFastestSpin};
+  const auto count = std::ranges::upper_bound(kSpeeds, std::max(most, 1.0)) - kSpeeds.begin();
+  const Vec3<double> w = kSpeeds.at(draw.below(static_cast<std::uint64_t>(count))) * axis;
+  MovingPatch<double> back = body;
+  back.velocities[0] = {0, 0, 0};
+  const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
+  back.turn = BodyTurn{{}, {}, centre, {-w[0], -w[1], -w[2]}};
+  body.turn = BodyTurn{{}, {}, centre, {w[0], w[1], w[2]}};
+  const Points<Rational> before = points_at(back, exact(t)).rational();
+  for (size_t i = 0; i < before.size(); ++i) {
+    for (int k = 0; k < 3; ++k) body.positions[i][k] = nearest_float(before[i][k].get_d());
+  }
+}
+
+/// Bodies of identical_at_contact, rotated before their turns: else code that takes a wrong centre
+/// or turns the wrong way would be right at the contact.
+Attempted turning_case(const GeneratorOptions& options, Draw& draw) {
+  Attempted made = identical_at_contact(options, draw);
+  for (size_t side = 0; made && side < 2; ++side) rotate_before(made->query, side, draw);
+  return made;
 }
 
 /// The same of bodies that spin: as spin_back says, from where those of framed_bodies touch at t*.
