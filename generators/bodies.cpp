@@ -12,6 +12,7 @@
 #include "generators/prescribe.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/whole_frame.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -202,19 +203,27 @@ FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plan
   return pair;
 }
 
-/// The class of a contact of bodies: what of each lies on its support plane of this normal, which
-/// is towards the second; 1 point, 2, or more.
+/// The class of a contact of bodies, by what of each lies on its support plane of this normal,
+/// which is towards the second. It is a point, several in a line, or others.
 ContactClass class_of_bodies(const Query& query, const Vec3<Rational>& normal) {
   std::array<Feature, 2> features{};
   for (size_t s = 0; s < 2; ++s) {
+    const Points<double>& points = query.patches[s].positions;
+    const Vec3<Rational> none(0, 0, 0), up = s == 0 ? normal : Vec3<Rational>(-normal);
     std::vector<Rational> heights;
-    for (const Vec3<double>& p : query.patches[s].positions) {
-      const Rational height = dot(normal, exact(p));
-      heights.push_back(s == 0 ? height : Rational(-height));
+    for (const Vec3<double>& p : points) heights.push_back(dot(up, exact(p)));
+    const auto first = static_cast<size_t>(std::ranges::max_element(heights) - heights.begin());
+    Vec3<Rational> along = none;
+    int dimension = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const Vec3<Rational> way = exact(points[i]) - exact(points[first]);
+      if (heights[i] != heights[first] || way == none) continue;
+      if (along == none) along = way;
+      dimension = std::max(dimension, cross(along, way) == none ? 1 : 2);
     }
-    const Rational& highest = *std::max_element(heights.begin(), heights.end());
-    const auto count = std::count(heights.begin(), heights.end(), highest);
-    features[s] = count == 1 ? Feature::kCorner : count == 2 ? Feature::kEdge : Feature::kFace;
+    features[s] = dimension == 0   ? Feature::kCorner
+                  : dimension == 1 ? Feature::kEdge
+                                   : Feature::kFace;
   }
   return class_between(features[0], features[1]);
 }
