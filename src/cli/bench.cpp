@@ -132,8 +132,12 @@ Table ratio_table(const ClassRaces& races) {
 void print_races(const ClassRaces& races, const BenchOptions& options) {
   print_table(ratio_table(races));
   const bool has_plugin = std::ranges::any_of(options.methods, names_plugin);
-  const bool has_bounds = std::ranges::any_of(
-      races, [](const auto& race) { return std::ranges::any_of(race.second.runners(), is_bound); });
+  const auto has = [&](const auto& is_so) {
+    return std::ranges::any_of(
+        races, [&](const auto& race) { return std::ranges::any_of(race.second.runners(), is_so); });
+  };
+  const bool has_bounds = has(is_bound);
+  const bool has_refusals = has([](const Race::Runner& r) { return r.tally.not_asked() > 0; });
   const std::string bounds =
       fmt::format("≥: some queries ended undecided, after {} pops, and would take longer.\n",
                   *options.search.max_pops);
@@ -142,10 +146,11 @@ void print_races(const ClassRaces& races, const BenchOptions& options) {
       "{}{}"
       "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
       "Medians, pops and undecided queries: --json\n"
-      "{} a class and method; CPU time of one thread, the methods by turns\n{}",
+      "{} a class and method; CPU time of one thread, the methods by turns\n{}{}",
       options.methods.front(), mark_note(options.methods), has_bounds ? bounds : "",
       counted(2 * options.count, "query", "queries"),
-      has_plugin ? "Of a plug-in: the wall time that it tells, or to it and back\n" : ""));
+      has_plugin ? "Of a plug-in: the wall time that it tells, or to it and back\n" : "",
+      has_refusals ? "not asked: a method refuses these patches; `evaluate` times bodies\n" : ""));
 }
 
 int run_bench(const BenchOptions& options, Session& session) {

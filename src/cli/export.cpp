@@ -92,8 +92,8 @@ CsvQuery exported_rows(const NamedCase& named, bool round, std::uint64_t& rounde
 CsvLayout layout_of(const NamedCase& named) {
   const Query& query = named.value.query;
   for (const auto& [has_it, what] :
-       {std::pair(query.separation > 0, "a separation"), std::pair(is_rational(query), "weights"),
-        std::pair(is_trimmed(query), "a trim")}) {
+       {std::pair(is_of_bodies(query), "bodies"), std::pair(query.separation > 0, "a separation"),
+        std::pair(is_rational(query), "weights"), std::pair(is_trimmed(query), "a trim")}) {
     if (!has_it) continue;
     throw BadInput{{named.id, fmt::format("has {}, for which a query CSV has no place", what)}};
   }
