@@ -75,10 +75,11 @@ def build_adapter(log, *commands):
 
 
 def install_npm(build, name, package, version, only_installed=False):
-    """A folder with the package, and a plug-in that runs the adapter there."""
+    """A folder with the package, and a plug-in that runs the adapter there. A version may be `file:`
+    and the path of a folder: a package that is not published."""
     if shutil.which("npm") is None:
         raise RuntimeError("npm is not installed")
-    folder = build / f"{name}@{version}"
+    folder = build / f"{name}@{version}".replace("/", "-").replace(":", "-")
     adapter = folder / name / "adapter.mjs"
     if only_installed and not (folder / "node_modules").exists():
         raise RuntimeError("it is not installed")
