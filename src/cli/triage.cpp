@@ -222,19 +222,21 @@ class TriageRun {
   /// new. That is one counterexample of each claim, and one of each error that putting an input to
   /// it ends in. One that could not be shrunk to the end is stored until there is a better.
   void triage_claims(const std::vector<std::string>& files) {
-    const std::string& name = *arguments_.target;
+    std::string_view name = *arguments_.target;
+    constexpr std::string_view kProgram = "fuzz_";  // which the target's program begins with
+    if (name.starts_with(kProgram)) name.remove_prefix(kProgram.size());
     if (name == "query" || name == "witnessed") {
-      throw BadInput{{"--target", "inputs of " + name + " are read without it"}};
+      throw BadInput{{"--target", fmt::format("inputs of {} are read without it", name)}};
     }
     const Suite suite = need_at("--target", session_.find_suite(name));
     need(make_writable_folder(claims_in(arguments_.output)));
     ServedClaims served;
-    go(files, [&](const std::string& file) {
-      return read_bytes(file).map([&](const std::vector<std::uint8_t>& bytes) {
-        ++counts_.tally.inputs;
-        const auto input = claim_input(suite, bytes);
-        return !input || triage_claim(file, *input, served);
-      });
+    go(files, [&](const std::string& file) -> Result<bool> {
+      CCDFUZZ_TRY(const std::vector<std::uint8_t> bytes, read_bytes(file));
+      const auto input = claim_input(suite, bytes);
+      if (!input) return input_error(file, "is no input of fuzz_{}: it names no claim", name);
+      ++counts_.tally.inputs;
+      return triage_claim(file, *input, served);
     });
     TriageTally& tally = counts_.tally;
     tally.harmless = tally.inputs - tally.failures;
