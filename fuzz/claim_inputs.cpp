@@ -1,7 +1,8 @@
 // `claim_inputs SUITE FOLDER CORPUS` writes seeds of the suite's fuzz target, with any compiler.
 // Each claim that is thought to hold gets an input, as `ccdfuzz check` draws it. The exit code is 1
 // where one gets none. Entries of corpus/claims are inputs of their claims. One of a claim that is
-// known to be false is an input of each other claim of the suite that does not discard it.
+// known to be false is an input of each other claim of the suite that does not discard it. What
+// is expected to fail a claim that is thought to hold is none: the target would end on it.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -67,7 +68,10 @@ Result<std::string> encode(const std::string& name, const std::string& folder,
     for (const ClaimFind& entry : kept) {
       const auto is_of_suite = property_named(entry.property, suite.claims);
       if (!is_of_suite || suite.is_of_bytes) continue;
-      if (is_of_suite->expected == Expectation::kHolds && entry.property != claim.name) continue;
+      const bool fails = entry.expect == Check::Status::kFails;
+      if (is_of_suite->expected == Expectation::kHolds && (entry.property != claim.name || fails)) {
+        continue;
+      }
       const auto input = input_of(suite, claim, Draw::from_numbers(entry.choices));
       if (input) CCDFUZZ_TRY_VOID(write(claim, *input));
     }

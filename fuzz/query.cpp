@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       claim_not_contradicted(name, methods[name], known, kRefutationSearch);
     }
   } catch (const Refuted& why) {
-    std::cerr << why.what() << '\n';
+    std::cerr << "Assertion failed: " << why.what() << "\nshow it with `ccdfuzz query CASE.json`\n";
     std::abort();
   }
   const char* const unproven = kUnproven[unproven_of({data, size})];

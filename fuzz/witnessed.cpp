@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const std::string& sound : miss_nothing()) {
     const Trace& trace = methods[sound].trace(q->query, witness, {});
     if (!trace.lost) continue;
-    std::cerr << sound << " loses the contact of this case; show it with"
+    std::cerr << "Assertion failed: " << sound << " loses the contact of this case; show it with"
               << " `ccdfuzz trace CASE.json`:\n"
               << to_json(case_of(*q)) << '\n';
     std::abort();

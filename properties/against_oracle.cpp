@@ -21,7 +21,7 @@ Case decide_briefly(const Query& query, std::uint64_t max_pops) {
   known.truth = decide(query, {.max_pops = max_pops, .max_tree_nodes = 10 * max_pops}).truth;
   const auto claim_accepted = [&](const auto& checked) {
     if (checked) return;
-    throw Refuted(fmt::format("the checker refuses the oracle: {}\n{}", checked.error().message(),
+    throw Refuted(fmt::format("the checker refuses the oracle:\n{}\n{}", checked.error().message(),
                               to_json(known)));
   };
   claim_accepted(check_truth(known));
@@ -39,7 +39,7 @@ void claim_not_contradicted(const std::string& name, Method& method, const Case&
                             const SearchOptions& options) {
   const Outcome outcome = outcome_on(method, known, options);
   if (!is_false_negative(outcome)) return;
-  throw Refuted(fmt::format("{} is {} on\n{}", name, name_of(outcome), to_json(known)));
+  throw Refuted(fmt::format("{} by {}:\n{}", name_of(outcome), name, to_json(known)));
 }
 
 void claim_all_agree(const Query& query, std::uint64_t max_pops, const SearchOptions& search) {
