@@ -114,8 +114,8 @@ void check_work_is_counted(Draw& d) {
   show(d, "certificate", static_cast<int>(kind));
   const Query query = kind >= kLinear ? query_of(d, Shape::point(), Shape::triangle(1))
                                       : query_of(d, Shape::triangle(2), Shape::tensor(2, 2));
-  // Less than what is counted of any query. Of a triangle that is as good as a point all products
-  // may be 0 but those of its three dot products d: four each, of more than `words` words.
+  // Less than what any query costs. The least is a triangle that is as good as a point, whose
+  // normals are 0: three dot products d of four products, each of more than `words` words.
   const std::uint64_t budget =
       std::array{256 * square, 64 * square, 32 * words, 12 * square, 40 * square}[kind];
   const auto check = [&](std::uint64_t most_work) -> Result<void> {
@@ -185,7 +185,7 @@ std::string draw_any_tree(Draw& choices) {
   return tree.bytes();
 }
 
-/// Of a tree. Sanitizers look at each of the many small numbers of its parts: 2 s under them.
+/// A tree's parts have many small numbers, and sanitizers look at each: this takes 2 s under them.
 constexpr std::uint64_t kMostTreeWork = 1 << 26;
 
 /// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
