@@ -225,9 +225,8 @@ void add_generate(CommandLine& line) {
     families += fmt::format("\n{}: {}", name_of(f), description_of(f));
   }
   const Option family = command.choice("--family FAMILY", options->generator.family, families);
-  const Option plane =
-      command.flag("--plane", options->generator.plane,
-                   "Bodies that lie and move in the plane z = 0, and turn by cosine and sine");
+  const Option plane = command.flag("--plane", options->generator.plane,
+                                    "Bodies that lie, move and turn in the plane z = 0");
   const Option eps_t = command.parsed(
       "--eps-t 2^-N", options->generator.eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "

@@ -31,6 +31,23 @@ ContactPlace place_of(const Contact& q) {
   return {feature_at(a.shape, q.uv[0]), feature_at(b.shape, q.uv[1]), q.t.sign() > 0};
 }
 
+/// With a budget that allows for hundreds of them.
+Decision decide_briefly(const Query& query) {
+  return decide(query, {.max_pops = kEnoughPops, .max_tree_nodes = kEnoughPops});
+}
+
+/// The same of a decision that they touch.
+ContactPlace place_of(const Query& query, const Decision& decision) {
+  std::array<Feature, 2> features;
+  for (size_t side = 0; side < 2; ++side) {
+    const auto& [u, v] = decision.uv[side];
+    features[side] =
+        feature_at(query.patches[side].shape, {from_double<Dyadic>(u), from_double<Dyadic>(v)});
+  }
+  const std::optional<Rational>& clear = decision.truth.clear_until;
+  return {features[0], features[1], clear && *clear > 0};
+}
+
 /// Whether a contact is at an edge or a corner of neither patch, but where that is all of it.
 bool is_inside(const Witness& witness, const Query& query) {
   for (size_t side = 0; side < 2; ++side) {
@@ -77,7 +94,10 @@ class Minimiser {
       const auto witnessed = is_decided ? contact_of(found_) : near_contact_of(found_);
       keeps_witness_ = witnessed.has_value();
       if (witnessed) best_ = *witnessed;
-      if (!witnessed && !is_decided && !found_.truth.contact_box) return false;
+      if (!witnessed && !is_decided) {
+        if (!found_.truth.contact_box) return false;
+        decided_place_ = place_of(found_.query, decide_briefly(found_.query));
+      }
     }
     if (is_of_bodies(found_.query) && failure_ != Outcome::kError) {
       const std::optional<Case> decided = case_of_bodies(found_.query);
@@ -107,7 +127,11 @@ class Minimiser {
     } else if (is_decided_linearly(query)) {
       value.truth = decide_linear(query, {}).truth;
     } else if (is_false_negative(failure_)) {
-      value.truth = decide(query, {.max_pops = kEnoughPops, .max_tree_nodes = kEnoughPops}).truth;
+      const Decision decision = decide_briefly(query);
+      if (decision.truth.collides != true || place_of(query, decision) != decided_place_) {
+        return std::nullopt;
+      }
+      return Case{query, decision.truth, {}};
     } else if (const auto* plane = clearance_of<MovingPlane>(best_case_.truth);
                plane && query.t_max > 0) {
       // As far past t_max as before.
@@ -185,6 +209,7 @@ class Minimiser {
   Case best_case_ = found_;
   Simplicity rank_;
   std::optional<ContactPlace> place_;  ///< of a witness that is kept, or is not inside
+  ContactPlace decided_place_;         ///< of a contact that a box proves
   std::string contact_;                ///< its class, as case_of_bodies tells it
   bool keeps_witness_ = false;
   bool are_floats_ = false;

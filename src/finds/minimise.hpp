@@ -29,7 +29,9 @@ struct Minimised {
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was. Without one, linear patches that are decided to touch, inside
 ///                   or where the witness of `found` is; they may lose their separation. Or others
-///                   that the oracle proves to touch, where `found` has a contact box
+///                   that the oracle proves to touch, where `found` has a contact box. There the
+///                   parameters that it names are inside, on an edge or at a corner as before, and
+///                   clear_until is above 0 if it was
 ///   false_positive  nothing touches in [0, t_max], by certificate L of linear patches, else by a
 ///                   plane (certificate P), which `found` must have then
 ///   error           nothing; the result has no truth

@@ -16,7 +16,7 @@ struct MovedPoint {
 
 /// The point of a body at time t that stands at p before it turns and moves. That of a body that
 /// spins is enclosed. So is that of one that turns by cosine and sine, where |q(t)| is no rational.
-/// A body that turns about an axis along z keeps its heights z exactly.
+/// A body in the plane z = 0 that turns in it stays there exactly.
 MovedPoint moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p, const Rational& t,
                        Work& work);
 

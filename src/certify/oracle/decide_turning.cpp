@@ -20,9 +20,9 @@ namespace {
 
 /// Contacts take about 10 to 80 tries.
 constexpr std::uint64_t kMostTries = 400;
-/// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 40 bits
-/// beyond those of the bracket.
-constexpr int kPointBits = 80;
+/// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 80 bits
+/// beyond those of the bracket, as many as make a point inside of a hull.
+constexpr int kPointBits = 120;
 /// Where points are not rational, so much is left for one to be inside of a hull: a body is made
 /// smaller by this part of itself.
 constexpr int kInsideBits = 80;
@@ -57,8 +57,7 @@ class DecidingTurning {
       reach_ += exact(body.radius);
       for_each_coordinate(body, [&](double x) { size += abs(exact(x)); });
     }
-    fine_unit_ = power_below(size) * power_of_two(-kPointBits - kInsideBits / 2);
-    unit_ = has_spins(query) ? fine_unit_ : Rational(fine_unit_ * power_of_two(kInsideBits / 2));
+    unit_ = power_below(size) * power_of_two(-kPointBits);
     const auto& known = options.known;
     if (known && known->t <= t_max_) late_ = known->t, witness_ = known;
   }
@@ -88,8 +87,8 @@ class DecidingTurning {
   };
 
   /// In units.
-  std::array<Points<Integer>, 2> rounded_points(const Rational& t, const Rational& unit) const {
-    const auto of = [&](size_t side) { return points_at(query_.patches[side], t).in_units(unit); };
+  std::array<Points<Integer>, 2> rounded_points(const Rational& t) const {
+    const auto of = [&](size_t side) { return points_at(query_.patches[side], t).in_units(unit_); };
     return {of(0), of(1)};
   }
 
@@ -97,7 +96,7 @@ class DecidingTurning {
     ++out_.pops;
     TimeLimit::stop_if_late();
     Sight out{t, {}, {}};
-    const std::array<Points<Integer>, 2> points = rounded_points(t, unit_);
+    const std::array<Points<Integer>, 2> points = rounded_points(t);
     NearestPoints nearest;
     const NearestPoints::Found& found = nearest(points);
     const Rational reach = reach_ / unit_;
@@ -133,7 +132,7 @@ class DecidingTurning {
   /// Along the direction that may keep them apart.
   Sight seen_along(const Rational& t) const {
     Sight out{t, {}, {}};
-    look_along(*options_.apart_along, rounded_points(t, unit_), out);
+    look_along(*options_.apart_along, rounded_points(t), out);
     return out;
   }
 
@@ -203,7 +202,7 @@ class DecidingTurning {
 
   /// A time near to t at which the points of a body that turns by cosine and sine are rational.
   /// It is the last one of a grid before t (ulps = 0), or the next.
-  static Rational rational_time(const BodyTurn& turn, const Rational& t, int ulps) {
+  Rational rational_time(const BodyTurn& turn, const Rational& t, int ulps) const {
     std::array<Rational, 2> from, to, q;
     for (size_t i = 0; i < 2; ++i) {
       from[i] = exact(turn.from[i]);
@@ -211,12 +210,13 @@ class DecidingTurning {
       q[i] = (1 - t) * from[i] + t * to[i];
     }
     const Rational turned = abs(Rational(from[0] * to[1] - from[1] * to[0]));
-    if (turned == 0 || t == 0) return t;
+    if (turned == 0 || t_max_ == 0) return t;
     const auto squared = [](const auto& v) { return Rational(v[0] * v[0] + v[1] * v[1]); };
     // q, or −q, is along (1 − k², 2k), k the tangent of half of its angle, where k is rational. It
     // changes at least at half of the least rate of the angle: |from × to| over the largest |q|².
     const Rational rate = turned / std::max(squared(from), squared(to));
-    const Rational unit = power_below(rate) * power_below(t) * power_of_two(-kBracketBits - 8);
+    const Rational unit =
+        power_below(rate) * power_below(t > 0 ? t : t_max_) * power_of_two(-kBracketBits - 8);
     const Rational length = root_above(squared(q));
     Rational k = q[0] < 0 ? Rational(-q[1] / (length - q[0])) : Rational(q[1] / (length + q[0]));
     k = rounded_down(k, unit) + ulps * unit;
@@ -241,7 +241,7 @@ class DecidingTurning {
   /// Proof of contact at any time: of the nearest points, or, where hulls overlap, of a point
   /// inside of one of them.
   std::optional<Witness> inside_witness(const Rational& t) const {
-    const std::array<Points<Integer>, 2> in_units = rounded_points(t, fine_unit_);
+    const std::array<Points<Integer>, 2> in_units = rounded_points(t);
     std::array<Points<Rational>, 2> points;
     for (const size_t s : {size_t{0}, size_t{1}}) {
       for (const Vec3<Integer>& p : in_units[s]) points[s].push_back(p.cast<Rational>());
@@ -299,7 +299,6 @@ class DecidingTurning {
   const OracleOptions& options_;
   const Rational t_max_;
   Rational reach_, unit_;
-  Rational fine_unit_;            ///< of points that are to be inside of a hull
   BodyPlanes planes_;             ///< each was accepted by the checker
   std::uint64_t spent_ = 0;       ///< what it takes to check them all
   std::optional<Rational> late_;  ///< at this time they seem to be in contact
