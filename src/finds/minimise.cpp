@@ -32,7 +32,7 @@ ContactPlace place_of(const Contact& q) {
 }
 
 /// With a budget that allows for hundreds of them.
-Decision decide_briefly(const Query& query) {
+Decision decided_in_few_pops(const Query& query) {
   return decide(query, {.max_pops = kEnoughPops, .max_tree_nodes = kEnoughPops});
 }
 
@@ -96,7 +96,7 @@ class Minimiser {
       if (witnessed) best_ = *witnessed;
       if (!witnessed && !is_decided) {
         if (!found_.truth.contact_box) return false;
-        decided_place_ = place_of(found_.query, decide_briefly(found_.query));
+        place_ = place_of(found_.query, decided_in_few_pops(found_.query));
       }
     }
     if (is_of_bodies(found_.query) && failure_ != Outcome::kError) {
@@ -127,8 +127,8 @@ class Minimiser {
     } else if (is_decided_linearly(query)) {
       value.truth = decide_linear(query, {}).truth;
     } else if (is_false_negative(failure_)) {
-      const Decision decision = decide_briefly(query);
-      if (decision.truth.collides != true || place_of(query, decision) != decided_place_) {
+      const Decision decision = decided_in_few_pops(query);
+      if (decision.truth.collides != true || place_of(query, decision) != place_) {
         return std::nullopt;
       }
       return Case{query, decision.truth, {}};
@@ -208,8 +208,7 @@ class Minimiser {
   Contact best_;
   Case best_case_ = found_;
   Simplicity rank_;
-  std::optional<ContactPlace> place_;  ///< of a witness that is kept, or is not inside
-  ContactPlace decided_place_;         ///< of a contact that a box proves
+  std::optional<ContactPlace> place_;  ///< of a witness that is kept, or is not inside; or of a box
   std::string contact_;                ///< its class, as case_of_bodies tells it
   bool keeps_witness_ = false;
   bool are_floats_ = false;
