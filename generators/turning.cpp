@@ -109,7 +109,11 @@ void rotate_before(Query& query, size_t side, Draw& draw) {
   still.turn = BodyTurn{first, first, turn.centre};
   const Points<Rational> places = points_at(still, 0).rational();
   for (size_t i = 0; i < places.size(); ++i) {
-    for (int k = 0; k < 3; ++k) body.positions[i][k] = to_double_exactly(places[i][k]).value();
+    for (int k = 0; k < 3; ++k) {
+      const auto x = to_double_exactly(places[i][k]);
+      if (!x) return;
+      body.positions[i][k] = *x;
+    }
   }
   turn.from = after_inverse(turn.from, first);
   turn.to = after_inverse(turn.to, first);

@@ -364,7 +364,7 @@ MovedPoint moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
         at[row] = sum;
       }
     } else {
-      constexpr unsigned long kRootBits = 140;
+      constexpr unsigned long kRootBits = kSpinErrorBits;
       const Fraction root = root_above(scale.rational(), work, kRootBits);
       // Where the root is too long by a part of it, all ways from the axis are too short by that.
       if (root * root != scale) out.error = power_of_two(-long{kRootBits}) * length;

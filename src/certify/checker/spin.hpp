@@ -8,8 +8,8 @@
 namespace ccdfuzz {
 
 /// What a quaternion of quaternion_of_spin may be off by: the length of the difference.
+inline constexpr long kSpinErrorBits = 140;
 inline Rational spin_error() {
-  constexpr long kSpinErrorBits = 140;
   return power_of_two(-kSpinErrorBits);
 }
 
